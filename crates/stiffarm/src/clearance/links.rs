@@ -43,10 +43,14 @@ const TOOL: usize = 7;
 pub(super) const LINKS: usize = 8;
 
 fn tool_of(geometry: &Geometry, theta: &[f64; 6], tool: Option<Tool>) -> Option<Piece> {
-    let Tool { point, radius } = tool?;
+    let tool = tool?;
     let flange: Pose = geometry.forward(theta);
-    let ends = [flange.translation.vector, flange.transform_point(&point.into()).coords];
-    Some(Piece { link: Link::Tool, number: TOOL, capsule: Capsule { ends, radius } })
+    Some(piece_of_tool([flange.translation.vector, flange.transform_point(&tool.point.into()).coords], tool))
+}
+
+/// From the flange to the tool point, m from the base.
+pub(super) fn piece_of_tool(ends: [Vector3<f64>; 2], tool: Tool) -> Piece {
+    Piece { link: Link::Tool, number: TOOL, capsule: Capsule { ends, radius: tool.radius } }
 }
 
 /// Capsules that enclose the links at model angles, m from the base, on a pedestal of this height about the joint-1 axis.

@@ -6,17 +6,19 @@ use super::{Cutter, Link, Machined, Mesh, Near, Obstacle};
 use crate::body::Capsule;
 use crate::spatial::Pose;
 
-/// How far it is looked for what is nearest.
+/// How far it is looked for what is nearest, and of what.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Looked {
     /// Of what is nearer than this, m, anything does: nothing else is looked at.
     pub(crate) enough: f64,
     /// Nothing that is farther, m, is looked at.
     pub(crate) within: f64,
+    /// What stands about the arm is looked at without the tool; the arm itself is not.
+    pub(crate) is_tool_apart: bool,
 }
 
 impl Looked {
-    pub(crate) const ALL: Self = Self { enough: f64::NEG_INFINITY, within: f64::INFINITY };
+    pub(crate) const ALL: Self = Self { enough: f64::NEG_INFINITY, within: f64::INFINITY, is_tool_apart: false };
 }
 
 /// The nearest so far.
@@ -26,11 +28,12 @@ pub(super) struct Nearest {
     pub(super) within: f64,
     /// What is nearer than this, m, is near enough: nothing else is looked at.
     enough: f64,
+    pub(super) is_tool_apart: bool,
 }
 
 impl Nearest {
-    pub(super) fn looked(Looked { enough, within }: Looked) -> Self {
-        Self { near: None, within, enough }
+    pub(super) fn looked(Looked { enough, within, is_tool_apart }: Looked) -> Self {
+        Self { near: None, within, enough, is_tool_apart }
     }
 
     pub(super) fn is_enough(&self) -> bool {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::links::{LINKS, Piece, Tool, enclosed, links};
+use super::links::{LINKS, Piece, Tool, enclosed, links, piece_of_tool};
 use super::nearest::{Looked, Nearest};
 use super::solid::Ball;
 use super::stock::Ends;
@@ -87,6 +87,24 @@ impl<'a> ThickArm<'a> {
         let mut nearest = Nearest::looked(looked);
         self.compare(&self.wide_pieces(theta, about.0.pedestal)?, &[], about, &mut nearest);
         nearest.near
+    }
+
+    /// The nearest that the tool alone comes to what stands about the arm, from the flange and the tool point, m; `None`, too, where there is no
+    /// tool.
+    pub(crate) fn nearest_of_tool(
+        &self,
+        ends: [Vector3<f64>; 2],
+        about: (&Surroundings, usize),
+        looked: Looked,
+    ) -> Option<Near> {
+        let mut nearest = Nearest::looked(looked);
+        self.compare_one(&[piece_of_tool(ends, self.tool?)], 0, about, &mut nearest);
+        nearest.near
+    }
+
+    /// The length of the tool and its largest radius with a cutter of some radius in the spindle, m.
+    pub(crate) fn size_of_tool(&self, cutter: f64) -> Option<[f64; 2]> {
+        self.tool.map(|tool| [tool.point.norm(), tool.radius.max(cutter)])
     }
 
     /// By how much a link may stand out of what it is taken for, m.
@@ -212,44 +230,42 @@ impl<'a> ThickArm<'a> {
     }
 
     /// Looks at all that stands about the arm. It does not move, so that of a link that stands where it did before nothing new is to be said.
-    fn compare(
-        &self,
-        pieces: &[Piece],
-        before: &[Piece],
-        (about, sample): (&Surroundings, usize),
-        nearest: &mut Nearest,
-    ) {
-        let Some(last) = pieces.last().map(|piece| piece.link) else { return };
+    fn compare(&self, pieces: &[Piece], before: &[Piece], about: (&Surroundings, usize), nearest: &mut Nearest) {
         for (i, piece) in pieces.iter().enumerate() {
             if nearest.is_enough() {
                 return;
             }
-            let Piece { link, capsule, .. } = *piece;
-            if before.get(i) == Some(piece) {
-                continue;
+            let is_apart = nearest.is_tool_apart && piece.link == Link::Tool;
+            if !is_apart && before.get(i) != Some(piece) {
+                self.compare_one(pieces, i, about, nearest);
             }
-            // In the arm plane the work lies where the links move.
-            let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != last };
-            if let Some(work) = about.work.filter(|_| may_touch) {
-                nearest.solid((link, &capsule), Obstacle::Work, &work);
+        }
+    }
+
+    fn compare_one(&self, pieces: &[Piece], i: usize, (about, sample): (&Surroundings, usize), nearest: &mut Nearest) {
+        let Piece { link, capsule, .. } = pieces[i];
+        let is_last = pieces.last().is_some_and(|last| last.link == link);
+        // In the arm plane the work lies where the links move.
+        let may_touch = if self.ends_at_wrist { link == Link::Column } else { !is_last };
+        if let Some(work) = about.work.filter(|_| may_touch) {
+            nearest.solid((link, &capsule), Obstacle::Work, &work);
+        }
+        if let Some(machined) = &about.machined {
+            if !is_last {
+                nearest.machined(link, (&capsule, Ends::Round), machined, sample);
+            } else if let Some(cutter) = machined.cutter.filter(|_| link == Link::Tool) {
+                nearest.tool(&capsule, &cutter, machined, sample);
             }
-            if let Some(machined) = &about.machined {
-                if link != last {
-                    nearest.machined(link, (&capsule, Ends::Round), machined, sample);
-                } else if let Some(cutter) = machined.cutter.filter(|_| link == Link::Tool) {
-                    nearest.tool(&capsule, &cutter, machined, sample);
-                }
-            }
-            let Some(capsule) = shown(pieces, i) else { continue };
-            if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
-                nearest.take(capsule.above(&through, &up), link, Obstacle::Floor);
-            }
-            if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
-                nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
-            }
-            for (i, solid) in about.keep_out.iter().enumerate() {
-                nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
-            }
+        }
+        let Some(capsule) = shown(pieces, i) else { return };
+        if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
+            nearest.take(capsule.above(&through, &up), link, Obstacle::Floor);
+        }
+        if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
+            nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
+        }
+        for (i, solid) in about.keep_out.iter().enumerate() {
+            nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
         }
     }
 }

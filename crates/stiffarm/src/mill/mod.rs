@@ -191,7 +191,8 @@ impl Question<'_> {
         let found = match guard.along(&samples, watch)? {
             Err(at) => Milled::Blocked(ladder.blocked_at(at, Why::Jump)),
             Ok(found) => {
-                let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
+                let of_arm = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
+                let unavoidable = contact::deeper(found.unavoidable, of_arm);
                 let clearance = Some(PathClearance { unavoidable, ..found });
                 Milled::Followed(self.followed(samples, lower_bound, clearance))
             }
@@ -256,7 +257,7 @@ pub fn approach(
     let Ok(samples) = followed else { return Ok(None) };
     let question = Question { robot, arm: &arm, stations: &stations, options };
     if let Some(guard) = question.guard(stand, Bodies::Known)
-        && !guard.is_clear(&samples, Watch::nobody())?
+        && !guard.along(&samples, Watch::nobody())?.is_ok_and(|found| found.contacts.is_empty())
     {
         return Ok(None);
     }

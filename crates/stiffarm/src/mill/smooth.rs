@@ -1,7 +1,7 @@
 //! Rolls between the lines of the grid: smoother than a path of nodes, and never worse.
 
 use super::climb::{Climb, Sought};
-use super::contact::{Guard, Touched};
+use super::contact::Guard;
 use super::fault::MillError;
 use super::follow::Arrangement;
 use super::ladder::Ladder;
@@ -24,7 +24,7 @@ pub(super) fn smoothed(
     let climb = Climb::new(ladder, Sought::LeastMotion, f32::MAX, false);
     let error_of = |k: usize, arrangement: Arrangement| Ok(ladder.errors_of(k, arrangement, &[arrangement.roll])?[0]);
     let is_clear = |k: usize, from: Arrangement, to: Arrangement| {
-        guard.map_or(Ok(true), |guard| Ok::<_, MillError>(ladder.touched_from(guard, k, from, to)? == Touched::Nothing))
+        guard.map_or(Ok(true), |guard| Ok::<_, MillError>(ladder.touch_from(guard, k, from, to)?.is_none()))
     };
     let mut errors =
         rungs.iter().enumerate().map(|(k, rung)| error_of(k, *rung)).collect::<Result<Vec<f64>, MillError>>()?;
@@ -53,7 +53,7 @@ pub(super) fn smoothed(
                 && after.is_none_or(|other| climb.joins((k, moved), (other, rungs[other])))
                 && before.map_or(Ok(true), |other| is_clear(k, rungs[other], moved))?
                 && after.map_or(Ok(true), |other| is_clear(other, moved, rungs[other]))?
-                && guard.map_or(Ok(true), |guard| ladder.stands_clear(guard, k, moved))?
+                && guard.map_or(Ok(None), |guard| ladder.touch_within(guard, k, moved))?.is_none()
             {
                 (rungs[k], errors[k]) = (moved, error);
             }

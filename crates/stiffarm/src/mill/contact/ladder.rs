@@ -9,8 +9,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::step::Between;
-use super::touching::{Edge, OfRung, Touched};
-use super::{Contact, Guard};
+use super::touching::{Edge, OfRung, Touch};
+use super::{Contact, Guard, Posed, deeper};
+use crate::angle::wrapped;
 use crate::clearance::{Link, Near, Obstacle};
 use crate::inverse::Configuration;
 use crate::mill::climb::{Climb, MOST_STEPS, Node, Sought};
@@ -34,6 +35,12 @@ impl Ladder<'_> {
                 return Ok(found);
             }
             guard.has_forbidden();
+            // No path needs to be sought to know that there is none.
+            if let Some(shut) =
+                self.rungs.iter().position(|rung| rung.errors.iter().flatten().all(|error| most < *error))
+            {
+                return Ok(Err(shut));
+            }
         }
     }
 
@@ -50,7 +57,7 @@ impl Ladder<'_> {
             let station = self.rungs[k].at;
             let near = |node: &OfRung| {
                 let posed = guard.at(station, self.arrangement(*node))?;
-                Ok(posed.and_then(|posed| guard.posed(posed.theta, station).near))
+                Ok(posed.and_then(|posed| guard.posed_arm(posed.theta, station).near))
             };
             let all = nodes.par_iter().map(near).collect::<Result<Vec<Option<Near>>, MillError>>()?;
             // Where one meets nothing, all is clear.
@@ -59,9 +66,9 @@ impl Ladder<'_> {
             else {
                 continue;
             };
-            deepest = deeper(deepest, guard.contact(station, &Near { distance, link, to }));
+            deepest = deeper(deepest, Some(guard.contact(station, &Near { distance, link, to })));
         }
-        Ok(self.touching.shut.values().fold(deepest, |deepest, contact| deeper(deepest, *contact)))
+        Ok(deepest)
     }
 
     /// Takes back what was blocked.
@@ -78,32 +85,20 @@ impl Ladder<'_> {
             path.iter().enumerate().map(|(k, node)| (k, node.configuration * rolls + node.roll)).collect();
         let mut known = std::mem::take(&mut self.touching.known_nodes);
         let about = |node: &OfRung| self.about_node(*node, most);
-        let touched = flood(nodes.clone(), &mut known, about, |node| self.node_touched(guard, *node))?;
+        let touched = flood(nodes.clone(), &mut known, about, |node, beside| self.node_touch(guard, *node, beside))?;
         self.touching.known_nodes = known;
         if !touched.is_empty() {
-            for (node, touched) in touched {
-                self.block(node);
-                if let Touched::AtEveryRoll(_) = touched {
-                    let held = 0..Configuration::COUNT * rolls;
-                    held.for_each(|held| self.block((node.0, held)));
-                }
-            }
+            touched.into_iter().for_each(|node| self.block(node));
             return Ok(false);
         }
         let edges = (1..nodes.len()).filter(|k| !self.rungs[*k].is_fresh);
         let edges: Vec<Edge> = edges.map(|k| (k, nodes[k - 1].1, nodes[k].1)).collect();
         let mut known = std::mem::take(&mut self.touching.known_edges);
         let about = |edge: &Edge| self.about_edge(*edge, most);
-        let touched = flood(edges, &mut known, about, |edge| self.edge_touched(guard, *edge))?;
+        let touched = flood(edges, &mut known, about, |edge, _| self.edge_touch(guard, *edge))?;
         self.touching.known_edges = known;
         let is_clear = touched.is_empty();
-        for (edge, touched) in touched {
-            if let Touched::AtEveryRoll(contact) = touched {
-                self.touching.shut.insert(edge.0, contact);
-            } else {
-                self.touching.edges.insert(edge);
-            }
-        }
+        self.touching.edges.extend(touched);
         Ok(is_clear)
     }
 
@@ -153,7 +148,6 @@ impl Ladder<'_> {
         let apart = (from % rolls).abs_diff(to % rolls);
         0 < k
             && self.rungs.get(k).is_some_and(|rung| !rung.is_fresh)
-            && !self.touching.shut.contains_key(&k)
             && apart.min(rolls - apart) <= MOST_STEPS
             && self.may_be_taken((k - 1, from), most)
             && self.may_be_taken((k, to), most)
@@ -174,84 +168,93 @@ impl Ladder<'_> {
         from..if goes_on { rung.at + 1 } else { rung.samples.end }
     }
 
-    pub(in crate::mill) fn node_touched(&self, guard: &Guard, node: OfRung) -> Result<Touched, MillError> {
-        let at = self.arrangement(node);
-        guard.touched_over(self.stations_of(node.0), |_| at)
+    /// What a node touches, which may follow from what one beside it does.
+    fn node_touch(&self, guard: &Guard, node: OfRung, beside: Option<&Touch>) -> Result<Option<Touch>, MillError> {
+        let (at, stations) = (self.arrangement(node), self.stations_of(node.0));
+        if let Some(beside) = beside {
+            let station = if stations.contains(&beside.station) { beside.station } else { self.rungs[node.0].at };
+            let found = guard.touch_beside(beside, station, at)?;
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+        guard.touch_over(stations, |_| at)
     }
 
-    pub(in crate::mill) fn edge_touched(&self, guard: &Guard, (k, from, to): Edge) -> Result<Touched, MillError> {
-        self.touched_from(guard, k, self.arrangement((k - 1, from)), self.arrangement((k, to)))
+    fn edge_touch(&self, guard: &Guard, (k, from, to): Edge) -> Result<Option<Touch>, MillError> {
+        self.touch_from(guard, k, self.arrangement((k - 1, from)), self.arrangement((k, to)))
     }
 
-    /// Nothing is touched at the stations of a rung that are arranged as it is, nor between these.
-    pub(in crate::mill) fn stands_clear(&self, guard: &Guard, k: usize, at: Arrangement) -> Result<bool, MillError> {
-        Ok(guard.touched_over(self.stations_of(k), |_| at)? == Touched::Nothing)
+    /// What is touched at the stations of a rung that are arranged as it is, or between these.
+    pub(in crate::mill) fn touch_within(
+        &self,
+        guard: &Guard,
+        k: usize,
+        at: Arrangement,
+    ) -> Result<Option<Touch>, MillError> {
+        guard.touch_over(self.stations_of(k), |_| at)
     }
 
     /// What is touched from the station that stands for the rung before to the one that stands for a rung.
-    pub(in crate::mill) fn touched_from(
+    pub(in crate::mill) fn touch_from(
         &self,
         guard: &Guard,
         k: usize,
         from: Arrangement,
         mut to: Arrangement,
-    ) -> Result<Touched, MillError> {
+    ) -> Result<Option<Touch>, MillError> {
         to.roll += std::f64::consts::TAU * ((from.roll - to.roll) / std::f64::consts::TAU).round();
         let of_rung = |rung: usize| if rung < k { from } else { to };
         let stations = self.rungs[k - 1].at..self.rungs[k].at + 1;
         let rung_of = |i: usize| if i < self.rungs[k].samples.start { k - 1 } else { k };
-        guard.touched_over(stations, |i| self.of_station(&of_rung, rung_of(i), i))
+        guard.touch_over(stations, |i| self.of_station(&of_rung, rung_of(i), i))
     }
 }
 
 impl Guard<'_> {
-    /// Whether anything is touched at some stations in a row, or between them, or no posture holds one of them.
-    fn touched_over(&self, stations: Range<usize>, of: impl Fn(usize) -> Arrangement) -> Result<Touched, MillError> {
+    /// What is touched at some stations in a row, or between them; that no posture holds one of them counts as that, too.
+    fn touch_over(
+        &self,
+        stations: Range<usize>,
+        of: impl Fn(usize) -> Arrangement,
+    ) -> Result<Option<Touch>, MillError> {
         let mut before = None;
+        let alone = |station| Some(Touch { station, theta: [0.0; 6], distance: f64::INFINITY });
         for i in stations {
             let at = of(i);
-            let Some(posed) = self.at(i, at)? else { return Ok(Touched::Something) };
+            let Some(posed) = self.at(i, at)? else { return Ok(alone(i)) };
             if self.grazes(&posed) {
-                return Ok(self.touched(posed.near, i));
+                return Ok(Some(Touch { station: i, theta: posed.theta, distance: holds_beside(&posed) }));
             }
-            if let Some((from, last)) = &before {
-                let way = self.straight(i, *from, at);
-                match self.between((&way, i), [last, &posed])? {
-                    Between::Free => {}
-                    Between::Touch(_, theta) => {
-                        return Ok(match self.touched(self.posed_to_touch(theta, i).near, i) {
-                            // Where it is so at every roll it is told how deep.
-                            Touched::AtEveryRoll(_) => self.touched(self.nearest_on((&way, i), theta)?, i),
-                            touched => touched,
-                        });
-                    }
-                    Between::Lost => return Ok(Touched::Something),
-                }
+            if let Some((from, last)) = &before
+                && !matches!(self.between((&self.straight(i, *from, at), i), [last, &posed])?, Between::Free)
+            {
+                return Ok(alone(i));
             }
             before = Some((at, posed));
         }
-        Ok(Touched::Nothing)
+        Ok(None)
     }
 
-    fn touched(&self, near: Option<Near>, station: usize) -> Touched {
-        let of_tool = |near: &Near| {
-            self.is_tool_round
-                && matches!(near.link, Link::Tool | Link::Cutter | Link::Shank)
-                && !matches!(near.to, Obstacle::Link(_))
-        };
-        match near.filter(of_tool) {
-            Some(near) => Touched::AtEveryRoll(self.contact(station, &near)),
-            None => Touched::Something,
+    /// What touches so deep that no posture so near is clear of it, at a station.
+    fn touch_beside(&self, touch: &Touch, station: usize, at: Arrangement) -> Result<Option<Touch>, MillError> {
+        if self.clearance <= touch.distance {
+            return Ok(None);
         }
+        let sample = &self.stations[station].sample;
+        let Some(theta) = self.theta(sample.line, &sample.pose, at)? else { return Ok(None) };
+        let moved: f64 = (0..6).map(|i| wrapped(theta[i] - touch.theta[i]).abs() * self.farthest[i]).sum();
+        let distance = touch.distance + moved;
+        Ok((distance < self.clearance).then_some(Touch { station, theta, distance }))
     }
 }
 
-fn deeper(deepest: Option<Contact>, contact: Contact) -> Option<Contact> {
-    if 0.0 < contact.depth && deepest.is_none_or(|deepest| deepest.depth < contact.depth) {
-        Some(contact)
-    } else {
-        deepest
-    }
+/// The distance of what is nearest, m, where it says something of postures beside it: stock goes as it is cut, and of flat ends it is not known how
+/// deep they are.
+fn holds_beside(posed: &Posed) -> f64 {
+    let of_tool = |link: Link| matches!(link, Link::Tool | Link::Cutter | Link::Shank);
+    let near = posed.near.filter(|near| near.to != Obstacle::Stock && !of_tool(near.link));
+    near.map_or(f64::INFINITY, |near| near.distance)
 }
 
 /// What touches of some places, and of all that lie about those that touch, as far as it was not known before.
@@ -259,18 +262,18 @@ fn flood<T: Copy + Eq + Hash + Send + Sync>(
     from: Vec<T>,
     known: &mut HashSet<T>,
     about: impl Fn(&T) -> Vec<T>,
-    touched: impl Fn(&T) -> Result<Touched, MillError> + Sync,
-) -> Result<Vec<(T, Touched)>, MillError> {
-    let (mut found, mut front) = (Vec::new(), from);
+    touch: impl Fn(&T, Option<&Touch>) -> Result<Option<Touch>, MillError> + Sync,
+) -> Result<Vec<T>, MillError> {
+    let mut found = Vec::new();
+    let mut front: Vec<(T, Option<Touch>)> = from.into_iter().map(|place| (place, None)).collect();
     while !front.is_empty() {
-        front.retain(|place| known.insert(*place));
-        let of = |place: &T| Ok((*place, touched(place)?));
-        let mut all = front.par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
-        all.retain(|(_, touched)| *touched != Touched::Nothing);
-        // What is so at every roll needs no look at others.
-        let by_roll = all.iter().filter(|(_, touched)| *touched == Touched::Something);
-        front = by_roll.flat_map(|(place, _)| about(place)).collect();
-        found.extend(all);
+        front.retain(|(place, _)| known.insert(*place));
+        let of = |(place, beside): &(T, Option<Touch>)| Ok(touch(place, beside.as_ref())?.map(|touch| (*place, touch)));
+        let all = front.par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
+        let all: Vec<(T, Touch)> = all.into_iter().flatten().collect();
+        front =
+            all.iter().flat_map(|(place, touch)| about(place).into_iter().map(|next| (next, Some(*touch)))).collect();
+        found.extend(all.into_iter().map(|(place, _)| place));
     }
     Ok(found)
 }

@@ -1,19 +1,20 @@
 //! What does the arm touch along a path, at its samples and between them?
 //!
-//! `step` decides between two samples, `ladder` takes the nodes and edges that touch out of a ladder, `path` tells of a path that is followed
-//! where it touches, and how near it comes elsewhere; `wide` seeks one that is clear of more
-//! than is known. Bodies are those of [`crate::clearance`].
+//! `step` decides between two samples, `tool` for a round tool, which stands as the path has it whatever the arm does; `ladder` takes the nodes and
+//! edges of which the arm touches something out of a ladder, `path` tells of a path that is followed where it touches, and how near it comes
+//! elsewhere; `wide` seeks one that is clear of more than is known. Bodies are those of [`crate::clearance`].
 
 mod ladder;
 mod path;
 mod step;
+mod tool;
 mod touching;
 mod wide;
 
 use step::GRAZED;
 #[cfg(test)]
 pub(super) use step::{Between, LEAST, Way};
-pub(super) use touching::{Touched, Touching};
+pub(super) use touching::Touching;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -120,8 +121,10 @@ pub(super) struct Guard<'a> {
     clearance: f64,
     /// No point of what a joint moves is farther from its axis, m.
     farthest: [f64; 6],
-    /// The tool stands on its own axis: what it touches does not depend on the roll.
+    /// The tool stands on its own axis: what it touches of what stands about the arm depends on the path alone, and is looked at apart.
     is_tool_round: bool,
+    /// No point of it is farther from its tip, m.
+    farthest_of_tool: f64,
     /// Some node, edge or path was not taken because it touches.
     forbade: AtomicBool,
 }
@@ -175,8 +178,10 @@ impl<'a> Guard<'a> {
             }
         };
         let (point, axis) = (stand.flange_from_tool.translation.vector, stand.flange_from_tool.rotation * Vector3::z());
+        let size_of_tool = thick.size_of_tool(cutter_radius);
         Some(Self {
-            is_tool_round: point.cross(&axis).norm() < ROUND,
+            is_tool_round: size_of_tool.is_some() && point.cross(&axis).norm() < ROUND,
+            farthest_of_tool: size_of_tool.map_or(0.0, |[length, radius]| length.hypot(radius)),
             farthest,
             bodies,
             forbade: AtomicBool::new(false),
@@ -204,9 +209,14 @@ impl<'a> Guard<'a> {
         self.posed_as_looked(theta, station, Looked::ALL)
     }
 
+    /// The same but for what a round tool comes near to.
+    fn posed_arm(&self, theta: [f64; 6], station: usize) -> Posed {
+        self.posed_as_looked(theta, station, Looked { is_tool_apart: self.is_tool_round, ..Looked::ALL })
+    }
+
     /// The same where it is asked alone what touches: of what does something is known, and of the rest no more than that it is far.
-    fn posed_to_touch(&self, theta: [f64; 6], station: usize) -> Posed {
-        let looked = Looked { enough: self.clearance + GRAZED, within: self.clearance + NEAR };
+    fn posed_to_touch(&self, theta: [f64; 6], station: usize, is_tool_apart: bool) -> Posed {
+        let looked = Looked { enough: self.clearance + GRAZED, within: self.clearance + NEAR, is_tool_apart };
         self.posed_as_looked(theta, station, looked)
     }
 
@@ -252,7 +262,8 @@ impl<'a> Guard<'a> {
     /// Of a station.
     fn at(&self, i: usize, at: Arrangement) -> Result<Option<Posed>, MillError> {
         let sample = &self.stations[i].sample;
-        Ok(self.theta(sample.line, &sample.pose, at)?.map(|theta| self.posed_to_touch(theta, i)))
+        let theta = self.theta(sample.line, &sample.pose, at)?;
+        Ok(theta.map(|theta| self.posed_to_touch(theta, i, self.is_tool_round)))
     }
 }
 
@@ -261,4 +272,17 @@ impl Posed {
     fn distance(&self) -> f64 {
         self.near.map_or(self.within, |near| near.distance)
     }
+}
+
+/// The deeper one of two, where it is nearer than was asked at all.
+pub(super) fn deeper(one: Option<Contact>, other: Option<Contact>) -> Option<Contact> {
+    [one, other]
+        .into_iter()
+        .flatten()
+        .filter(|contact| 0.0 < contact.depth)
+        .reduce(|a, b| if a.depth < b.depth { b } else { a })
+}
+
+fn nearer(one: Option<Near>, other: Option<Near>) -> Option<Near> {
+    [one, other].into_iter().flatten().min_by(|a, b| a.distance.total_cmp(&b.distance))
 }

@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 
 use super::step::{Between, Way};
-use super::{Contact, Guard, PathClearance, Posed};
-use crate::clearance::Near;
+use super::{Contact, Guard, PathClearance, Posed, nearer};
+use crate::clearance::{Looked, Near};
 use crate::mill::fault::MillError;
 use crate::mill::follow::{Arrangement, Pushed};
 use crate::watch::Watch;
@@ -18,8 +18,14 @@ const SOON: usize = 64;
 /// Places between two stations at which it is looked how deep something is touched there.
 const PLACES: usize = 32;
 
-/// What is nearest at a station and on the way to it, and whether that is nearer than was asked.
-type AtStation = (Option<Near>, bool);
+/// What of the arm is nearest at a station and on the way to it.
+struct AtStation {
+    near: Option<Near>,
+    /// It is nearer than was asked.
+    touches: bool,
+    /// The way leads straight, as the tool's does.
+    is_straight: bool,
+}
 
 /// What was found so far.
 #[derive(Default)]
@@ -41,11 +47,12 @@ impl Guard<'_> {
         samples: &[Pushed],
         watch: Watch,
     ) -> Result<Result<PathClearance, usize>, MillError> {
+        let tool = self.tool_along(watch)?;
         let (mut found, mut last) = (Found::default(), None);
         for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
             watch.go_on()?;
             let first = chunk * TOGETHER;
-            let posed = |(i, one): (usize, &Pushed)| self.posed(self.model_angles(one), first + i);
+            let posed = |(i, one): (usize, &Pushed)| self.posed_arm(self.model_angles(one), first + i);
             let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
             let of = |i: usize| {
                 let before = if i == 0 { last } else { Some(posed[i - 1]) };
@@ -53,23 +60,28 @@ impl Guard<'_> {
             };
             let all = (0..posed.len()).into_par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
             for (i, one) in all.into_iter().enumerate() {
-                let Some(one) = one else { return Ok(Err(first + i)) };
-                found.add(first + i, one, self.clearance);
+                let Some(AtStation { near, touches, is_straight }) = one else { return Ok(Err(first + i)) };
+                let of_tool = tool.as_ref().map(|tool| tool.near(first + i, is_straight, self.clearance));
+                let (of_tool, tool_touches) = of_tool.unwrap_or_default();
+                found.add(first + i, (nearer(near, of_tool), touches || tool_touches), self.clearance);
             }
             last = posed.last().copied();
         }
         let Found { nearest, at, contacts, .. } = found;
         let nearest = nearest.map(|near| self.thick.told(near, None, samples.len()));
-        Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable: None }))
+        let unavoidable = tool.and_then(|tool| tool.deepest(self));
+        Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable }))
     }
 
-    /// Nothing is touched along a path that is followed: nothing is asked of what touches, as [`Self::along`] tells it.
+    /// The arm touches nothing along a path that is followed: nothing is asked of what touches, as [`Self::along`] tells it. What a round tool
+    /// touches it touches on every path.
     pub(in crate::mill) fn is_clear(&self, samples: &[Pushed], watch: Watch) -> Result<bool, MillError> {
         let mut last = None;
         for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
             watch.go_on()?;
             let first = chunk * TOGETHER;
-            let posed = |(i, one): (usize, &Pushed)| self.posed_to_touch(self.model_angles(one), first + i);
+            let posed =
+                |(i, one): (usize, &Pushed)| self.posed_to_touch(self.model_angles(one), first + i, self.is_tool_round);
             let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
             let touches = |i: usize| {
                 let before = if i == 0 { last.as_ref() } else { Some(&posed[i - 1]) }?;
@@ -119,42 +131,54 @@ impl Guard<'_> {
         let touches = self.touches(posed);
         // Where an end touches that is said already.
         let Some(before) = before.filter(|before| !touches && !self.touches(before)) else {
-            return Ok(Some((posed.near, touches)));
+            let is_straight = i == 0 || self.may_lead_straight(samples, i);
+            return Ok(Some(AtStation { near: posed.near, touches, is_straight }));
         };
-        Ok(match self.led(samples, i, [before, posed])? {
-            (_, Between::Free) => Some((posed.near, false)),
-            (way, Between::Touch(distance, theta)) => {
+        let (way, found) = self.led(samples, i, [before, posed])?;
+        let is_straight = matches!(way, Way::Straight { .. });
+        Ok(match found {
+            Between::Free => Some(AtStation { near: posed.near, touches: false, is_straight }),
+            Between::Touch(distance, theta) => {
                 let near = |near: Near| Near { distance: distance.min(near.distance), ..near };
-                Some((self.nearest_on((&way, i), theta)?.map(near), true))
+                let on_way = self.nearest_on((&way, i), theta)?.map(near);
+                Some(AtStation { near: nearer(on_way, posed.near), touches: true, is_straight })
             }
-            (_, Between::Lost) => None,
+            Between::Lost => None,
         })
     }
 
     /// The nearest of many places of a way to a station and of one that is known, which is nearer than was asked, or hardly farther.
-    pub(super) fn nearest_on(&self, (way, i): (&Way, usize), known: [f64; 6]) -> Result<Option<Near>, MillError> {
-        let mut nearest = self.posed(known, i).near;
+    fn nearest_on(&self, (way, i): (&Way, usize), known: [f64; 6]) -> Result<Option<Near>, MillError> {
+        let looked = Looked { is_tool_apart: self.is_tool_apart(way), ..Looked::ALL };
+        let near = |theta: [f64; 6]| self.posed_as_looked(theta, i, looked).near;
+        let mut nearest = near(known);
         for place in 1..PLACES {
             let Some(theta) = way.at(self, place as f64 / PLACES as f64, &known)? else { continue };
-            let near = self.posed(theta, i).near;
-            nearest = [nearest, near].into_iter().flatten().min_by(|a, b| a.distance.total_cmp(&b.distance));
+            nearest = nearer(nearest, near(theta));
         }
         Ok(nearest)
+    }
+
+    /// Not where the arm is arranged anew in another configuration.
+    fn may_lead_straight(&self, samples: &[Pushed], i: usize) -> bool {
+        !self.stations[i].is_fresh || samples[i - 1].arrangement.configuration == samples[i].arrangement.configuration
     }
 
     /// The way to a station: straight as programs have it, and in joints where the arm is arranged anew and no straight one leads there.
     fn led(&self, samples: &[Pushed], i: usize, ends: [&Posed; 2]) -> Result<(Way, Between), MillError> {
         let [from, to] = [&samples[i - 1], &samples[i]].map(|one| one.arrangement);
-        let is_fresh = self.stations[i].is_fresh;
-        if !is_fresh || from.configuration == to.configuration {
+        if self.may_lead_straight(samples, i) {
             let way = self.straight(i, from, to);
             let found = self.between((&way, i), ends)?;
-            if !is_fresh || !matches!(found, Between::Lost) {
+            if !self.stations[i].is_fresh || !matches!(found, Between::Lost) {
                 return Ok((way, found));
             }
         }
-        let way = Way::Joints(ends.map(|end| end.theta));
-        let found = self.between((&way, i), ends)?;
+        let with_tool = ends.map(|end| self.posed_to_touch(end.theta, i, false));
+        // Where the tool touches at an end that is said already.
+        let is_tool_apart = with_tool.iter().any(|end| self.touches(end));
+        let way = Way::Joints { ends: ends.map(|end| end.theta), is_tool_apart };
+        let found = self.between((&way, i), if is_tool_apart { ends } else { with_tool.each_ref() })?;
         Ok((way, found))
     }
 
@@ -167,7 +191,7 @@ impl Guard<'_> {
 }
 
 impl Found {
-    fn add(&mut self, station: usize, (near, touches): AtStation, asked: f64) {
+    fn add(&mut self, station: usize, (near, touches): (Option<Near>, bool), asked: f64) {
         self.at.push(near);
         let Some(Near { distance, link, to }) = near else { return };
         if self.nearest.is_none_or(|nearest| distance < nearest.distance) {

@@ -22,14 +22,14 @@ pub(in crate::mill) const LEAST: f64 = 1e-3;
 /// What is farther by less than this, m, than was asked is as if it touched.
 pub(super) const GRAZED: f64 = LEAST / 2.0;
 /// However fast joints turn, a step is halved no more often.
-const MOST_HALVINGS: usize = 40;
+pub(super) const MOST_HALVINGS: usize = 40;
 
 /// From one posture to the next.
 pub(in crate::mill) enum Way {
     /// The tip goes straight, tool axis and roll turn evenly.
     Straight { line: usize, configuration: Configuration, ends: [(ToolPose, f64); 2] },
     /// Every joint turns evenly: model angles, rad.
-    Joints([[f64; 6]; 2]),
+    Joints { ends: [[f64; 6]; 2], is_tool_apart: bool },
 }
 
 /// What is known of a step.
@@ -53,7 +53,9 @@ impl Way {
                 let theta = guard.theta(*line, &pose, Arrangement { configuration: *configuration, roll })?;
                 Ok(theta.map(|theta| beside(&theta, near)))
             }
-            Self::Joints([from, to]) => Ok(Some(std::array::from_fn(|i| from[i] + part * (to[i] - from[i])))),
+            Self::Joints { ends: [from, to], .. } => {
+                Ok(Some(std::array::from_fn(|i| from[i] + part * (to[i] - from[i]))))
+            }
         }
     }
 }
@@ -71,7 +73,7 @@ impl Guard<'_> {
         }
         let last = match way {
             Way::Straight { .. } => Posed { theta: beside(&ends[1].theta, &ends[0].theta), ..*ends[1] },
-            Way::Joints(_) => *ends[1],
+            Way::Joints { .. } => *ends[1],
         };
         self.halved((way, station), [0.0, 1.0], [ends[0], &last], MOST_HALVINGS)
     }
@@ -90,7 +92,7 @@ impl Guard<'_> {
         if moved + 2.0 * self.clearance < twice {
             return Ok(Between::Free);
         }
-        let middle = self.posed_to_touch(theta, station);
+        let middle = self.posed_to_touch(theta, station, self.is_tool_apart(way));
         // What is so near that no longer step than the least could be free counts as touching at once.
         if self.grazes(&middle) {
             return Ok(Between::Touch(middle.distance(), middle.theta));
@@ -101,6 +103,14 @@ impl Guard<'_> {
         match self.halved((way, station), [parts[0], part], [ends[0], &middle], halvings - 1)? {
             Between::Free => self.halved((way, station), [part, parts[1]], [&middle, ends[1]], halvings - 1),
             found => Ok(found),
+        }
+    }
+
+    /// Where it is on a way is known without the arm, and looked at apart.
+    pub(super) fn is_tool_apart(&self, way: &Way) -> bool {
+        match way {
+            Way::Straight { .. } => self.is_tool_round,
+            Way::Joints { is_tool_apart, .. } => *is_tool_apart,
         }
     }
 

@@ -8,7 +8,7 @@ use crate::cell::{Block, Cell, Mount};
 use crate::clearance::{Cutter, Link, Mesh, Obstacle, Surroundings, ThickArm};
 use crate::cutting::Shank;
 use crate::inverse::postures;
-use crate::mill::contact::{Between, Bodies, LEAST, Posed, Touched, Way};
+use crate::mill::contact::{Between, Bodies, LEAST, Posed, Way};
 use crate::stock::{Remains, Stock};
 use crate::toolpath::{Course, Given, MoveKind};
 
@@ -166,7 +166,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
         for k in 0..ladder.rungs.len() {
             let mut next = Vec::new();
             for node in held(k) {
-                let touches = ladder.node_touched(&guard, (k, node)).unwrap() != Touched::Nothing;
+                let touches = ladder.touch_within(&guard, k, at(node)).unwrap().is_some();
                 if !agreed(witness.distance(pose(k), at(node)), touches) {
                     blocked_nodes += 1;
                     continue;
@@ -181,7 +181,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
                     }
                     let mut to = at(node);
                     to.roll += std::f64::consts::TAU * ((at(*from).roll - to.roll) / std::f64::consts::TAU).round();
-                    let touches = ladder.edge_touched(&guard, (k, *from, node)).unwrap() != Touched::Nothing;
+                    let touches = ladder.touch_from(&guard, k, at(*from), at(node)).unwrap().is_some();
                     if agreed(witness.least([(pose(k - 1), at(*from)), (pose(k), to)]), touches) {
                         best = best.min(value.max(error));
                     } else {
@@ -599,4 +599,143 @@ fn what_a_round_tool_touches_between_samples_is_touched_at_every_roll() {
     assert!(unavoidable.station == 2 && unavoidable.link == Link::Cutter, "{unavoidable:?}");
     assert!((R - 0.0033..=R + 1e-6).contains(&unavoidable.depth), "{unavoidable:?}");
     assert!((told.nearest.unwrap().distance + unavoidable.depth).abs() < 1e-3, "{:?}", told.nearest);
+}
+
+/// A spindle across axis 6 that stands on its own axis.
+fn round() -> Stand {
+    Stand {
+        base_from_part: Pose::new(Vector3::new(1.7, 0.0, 0.8), Vector3::z() * 0.3),
+        flange_from_tool: Pose::new(Vector3::new(0.25, 0.0, 0.0), Vector3::y() * std::f64::consts::FRAC_PI_2),
+    }
+}
+
+/// Boxes by chance about a spindle that leans as it goes: what is looked at of it without the arm is what the whole arm has, at every sample and
+/// at many places between.
+#[test]
+fn a_round_tool_is_as_near_as_the_whole_arm_has_it() {
+    let (robot, one) = (robot(), round());
+    let lean = |x: f64, y: f64| Vector3::new(x, y, 1.0).normalize();
+    let tips = [
+        ([-0.2, 0.0, 0.0], lean(0.0, 0.0)),
+        ([0.1, 0.1, 0.05], lean(0.3, -0.2)),
+        ([0.1, 0.1, 0.05], lean(-0.1, 0.0)),
+        ([0.2, -0.1, 0.0], lean(0.0, 0.1)),
+    ];
+    let poses = tips.map(|(tip, axis)| ToolPose { tip: tip.into(), axis });
+    let leaning = |ends: &[ToolPose]| Move {
+        line: 0,
+        kind: MoveKind::Feed,
+        from: ends[0],
+        to: ends[1],
+        course: Course::Line,
+        feed: Some(0.02),
+        normals: None,
+        given: Given::default(),
+    };
+    let mut moves: Vec<Move> = poses.windows(2).map(leaning).collect();
+    // Where it turns in place it takes the time that it needs.
+    (moves[1].kind, moves[1].feed) = (MoveKind::Rapid, None);
+    let coarse = Steps { longest: 0.1, turn: 0.2, ..Steps::USUAL };
+    let stations = stations(&moves, &coarse, |_| Some(KNOWN));
+    let mut rng = fastrand::Rng::with_seed(40);
+    let (mut clear, mut at_samples, mut between) = (0, 0, 0);
+    for _ in 0..120 {
+        let i = rng.usize(1..stations.len());
+        let [from, to] = [i - 1, i].map(|i| (one.base_from_part * Point3::from(stations[i].sample.pose.tip)).coords);
+        let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+        let (half, clearance) = (part(0.002, 0.02), part(0.0, 0.01));
+        // Beside the middle of a way, where many a tool touches that does not at its ends.
+        let [first, last] = [i - 1, i].map(|i| one.base_from_part.rotation * stations[i].sample.pose.axis);
+        // Where it turns, beside the plane in which it does.
+        let turns = 0.1 < first.angle(&last);
+        let aside = if turns { first.cross(&last) } else { (to - from).cross(&Vector3::z()) };
+        let Some(aside) = aside.try_normalize(1e-9) else { continue };
+        let beyond = if turns { part(-0.002, 0.002) } else { part(-0.01, 0.03) };
+        let far = robot.thickness().0.spindle() + half + clearance + beyond;
+        let aside = aside * far + (first + last).normalize() * part(0.1, 0.25);
+        let centre = (from + to) / 2.0 + aside;
+        let side = |i: usize| [centre[i] - half, centre[i] + half];
+        let about = clear_of(&[block(side(0), side(1), side(2))], clearance);
+        let witness = Witness::new(&robot, &one, &about);
+        let options = MillOptions { clear_of: Some(about), ..with(RollMode::Constant) };
+        let found = followed(&one, &stations, &options);
+        let told = found.clearance.unwrap();
+        let mut touches_between = false;
+        for (i, near) in told.at.iter().enumerate() {
+            let end = |i: usize| (&stations[i].sample.pose, found.samples[i].arrangement);
+            let near = near.unwrap().distance;
+            let known = witness.distance(end(i).0, end(i).1).unwrap();
+            let is_on_way = near < known - 1e-9;
+            assert!(near < known + 1e-9, "{near} {known}");
+            if let Some(before) = i.checked_sub(1) {
+                let least = witness.least([end(before), end(i)]).unwrap();
+                let is_told = !told.contacts.is_empty();
+                assert!(clearance - 1e-9 <= least || is_told, "{i}: {least} of {clearance} is missed");
+                // Between places of the subdivision it moves by some mm.
+                assert!(!is_on_way || (least - near).abs() < 5e-3, "{i}: {least} {near}");
+            }
+            touches_between |= is_on_way;
+        }
+        match (told.contacts.is_empty(), touches_between) {
+            (true, _) => clear += 1,
+            (_, true) => between += 1,
+            _ => at_samples += 1,
+        }
+        // Of the whole path the roll changes nothing of what the tool touches.
+        for contact in told.contacts.iter().filter(|contact| contact.link == Link::Tool) {
+            assert!(contact.depth <= told.unavoidable.unwrap().depth);
+        }
+    }
+    assert!(10 < clear && 3 < between && 20 < at_samples, "{clear} {between} {at_samples}");
+}
+
+/// A tool that runs into a post at every roll hides nothing of the arm: a box in the wrist of the best path is led around all the same.
+#[test]
+fn the_arm_is_led_aside_where_the_tool_touches_at_every_roll() {
+    let (robot, one) = (robot(), round());
+    let stations = path("line:0.2", KNOWN);
+    let crate::robot::Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!() };
+    let before = followed(&one, &stations, &with(RollMode::Free));
+    let joints = before.samples[stations.len() / 2].joints;
+    let wrist = Vector3::from(geometry.points(&geometry.model_angles(&joints, limits.third_axis))[3]);
+    let about = |at: Vector3<f64>| {
+        let side = |i: usize| [at[i] - 0.01, at[i] + 0.01];
+        block(side(0), side(1), side(2))
+    };
+    let tip = (one.base_from_part * Point3::from(stations[stations.len() / 2].sample.pose.tip)).coords;
+    // In the axis of the spindle, 150 mm above the tip.
+    let post = about(tip + Vector3::z() * 0.15);
+    let tell = |boxes: &[Block]| {
+        let options = MillOptions { clear_of: Some(clear_of(boxes, 0.0)), ..with(RollMode::Free) };
+        followed(&one, &stations, &options)
+    };
+    let clear = tell(&[about(wrist)]);
+    assert!(!clear.touches() && clear.samples != before.samples, "{:?}", clear.clearance);
+    let touching = tell(&[about(wrist), post]);
+    assert_eq!(touching.samples, clear.samples);
+    let told = touching.clearance.unwrap();
+    assert!(!told.contacts.is_empty());
+    assert!(told.contacts.iter().all(|contact| (contact.link, contact.to) == (Link::Tool, Obstacle::KeepOut(2))));
+    assert!((told.unavoidable.unwrap().depth + told.nearest.unwrap().distance).abs() < 1e-12);
+}
+
+/// By hand: a cutter passes a tenth of a millimetre beside a clamp all along it. That is no touch, and it is told exactly; three hundredths are one.
+#[test]
+fn a_gap_of_a_tenth_of_a_millimetre_is_a_gap() {
+    const R: f64 = 0.025;
+    let stations = path("line:0.3", KNOWN);
+    let tell = |gap: f64| {
+        let about = ClearOf {
+            fixture: Some(box_mesh([[-0.1, 0.1], [R + gap, R + gap + 0.05], [-0.1, 0.01]], |at| at)),
+            cutter: Some(Cutter { length: 0.04, radius: R, shank: None }),
+            ..clear_of(&[], 0.0)
+        };
+        let options = MillOptions { clear_of: Some(about), ..with(RollMode::Free) };
+        followed(&round(), &stations, &options).clearance.unwrap()
+    };
+    let told = tell(1e-4);
+    let nearest = told.nearest.unwrap();
+    assert!(told.contacts.is_empty() && (nearest.distance - 1e-4).abs() < 1e-7, "{told:?}");
+    let told = tell(3e-5);
+    assert!(told.contacts.iter().all(|contact| contact.link == Link::Cutter) && !told.contacts.is_empty());
 }
