@@ -18,6 +18,10 @@ const WIDEST: f64 = 100.0;
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
+/// What a text begins with, and what editors put before it.
+const SOLID: &[u8] = b"solid";
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// A surface of triangles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
@@ -100,7 +104,7 @@ pub fn read_stl(bytes: &[u8], file: &str, metres: f64) -> Result<Surface, StlFau
 type Corners = Vec<[[f32; 3]; 3]>;
 
 fn corners(bytes: &[u8]) -> Result<(Corners, Vec<String>), StlWhy> {
-    let text = bytes.trim_ascii_start();
+    let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start();
     if text.is_empty() {
         return Err(StlWhy::Empty);
     }
@@ -111,8 +115,8 @@ fn corners(bytes: &[u8]) -> Result<(Corners, Vec<String>), StlWhy> {
     // What is as long as its triangles take is binary, even where it begins as text does.
     let takes = |count: u32| HEAD as u64 + u64::from(count) * TRIANGLE as u64;
     let is_binary = told.is_some_and(|count| takes(count) == bytes.len() as u64);
-    if !is_binary && text.starts_with(b"solid") {
-        return Ok((as_text(text)?, Vec::new()));
+    if !is_binary && text.get(..SOLID.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(SOLID)) {
+        return Ok((as_text(text, bytes)?, Vec::new()));
     }
     for (begins, what) in [
         (&b"version https://git-lfs"[..], StlWhy::Pointer),
@@ -146,12 +150,31 @@ fn corners(bytes: &[u8]) -> Result<(Corners, Vec<String>), StlWhy> {
     Ok((all(plain)?, notes))
 }
 
-/// The first line holds a name alone, and may be missing a space.
-fn as_text(text: &[u8]) -> Result<Corners, StlWhy> {
+/// The first line holds a name alone, and may be missing a space; words may be in capitals.
+fn as_text(text: &[u8], file: &[u8]) -> Result<Corners, StlWhy> {
     let rest = text.iter().position(|byte| *byte == b'\n').map_or(&[][..], |end| &text[end..]);
     let mut plain = b"solid part".to_vec();
-    plain.extend_from_slice(rest);
-    all(plain)
+    plain.extend(rest.to_ascii_lowercase());
+    all(plain).map_err(|why| match (why, odd_line(file)) {
+        (StlWhy::NoStl(why), Some((line, found))) => StlWhy::NoStl(format!("line {line}, `{found}`: {why}")),
+        (why, _) => why,
+    })
+}
+
+/// The first line, from 1, that should hold three numbers and does not.
+fn odd_line(text: &[u8]) -> Option<(usize, String)> {
+    let is_odd = |line: &str| {
+        let mut words = line.split_ascii_whitespace();
+        let numbers = match words.next().map(str::to_ascii_lowercase).as_deref() {
+            Some("vertex") => words.collect::<Vec<_>>(),
+            Some("facet") => words.skip(1).collect(),
+            _ => return false,
+        };
+        numbers.len() != 3 || numbers.iter().any(|word| word.parse::<f32>().is_err())
+    };
+    let text = String::from_utf8_lossy(text);
+    let (i, line) = text.lines().enumerate().find(|(_, line)| is_odd(line))?;
+    Some((i + 1, on_one_line(line.trim()).into_owned()))
 }
 
 fn all(bytes: Vec<u8>) -> Result<Corners, StlWhy> {
@@ -278,6 +301,8 @@ mod tests {
             text("solid", &block),
             text("  solid a name of words", &block),
             text("solid windows\r", &block),
+            text("solid", &block).to_ascii_uppercase(),
+            [b"\xef\xbb\xbf".to_vec(), text("solid", &block)].concat(),
         ] {
             assert_eq!(read(&bytes), found);
         }
@@ -327,7 +352,11 @@ mod tests {
         assert_eq!(wide.why, StlWhy::Wide(300.0));
         let cut = text("solid", &block([1.0; 3]));
         assert!(matches!(why(&cut[..cut.len() / 2]), StlWhy::NoStl(_)));
-        assert!(matches!(why(b"solid\nfacet normal 0 0 x\n"), StlWhy::NoStl(_)));
+        let line = |bytes: &[u8]| why(bytes).to_string();
+        assert!(line(b"solid\nfacet normal 0 0 x\n").contains("line 2, `facet normal 0 0 x`"));
+        let odd = String::from_utf8(cut.clone()).unwrap().replacen("vertex 1 1 0", "vertex 1 1 zero", 1);
+        let told = line(format!("\n{odd}").as_bytes());
+        assert!(told.starts_with("it is no STL file: line 7, `vertex 1 1 zero`: "), "{told}");
         let many = [vec![b' '; 80], u32::MAX.to_le_bytes().to_vec(), vec![0; 100]].concat();
         assert!(matches!(why(&many), StlWhy::CutOff { .. }));
     }
