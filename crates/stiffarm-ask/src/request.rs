@@ -351,7 +351,7 @@ fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
 
 /// The texts of one value each.
 fn parts<'a>(setting: &Setting, text: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
-    let between = if matches!(setting.kind, Kind::Within | Kind::Block | Kind::Marker) { ';' } else { ',' };
+    let between = if matches!(setting.kind, Kind::Within | Kind::Block { .. } | Kind::Marker) { ';' } else { ',' };
     if setting.is_list() { Box::new(text.split(between)) } else { Box::new(std::iter::once(text)) }
 }
 

@@ -51,7 +51,7 @@ fn arm_in_cell(placement: &Placement, cell: &Cell) -> Vec<Point3<f64>> {
 
 #[test]
 fn the_best_place_in_a_window_is_no_worse_than_many_others_in_it_and_bounded() {
-    let options = in_window(block("1.3..2.1,0.2..1.2,0.7..0.9").unwrap());
+    let options = in_window(block("1.3..2.1,0.2..1.2,0.7..0.9", "m", false).unwrap());
     let found = best(CIRCLE, &options);
     let [x, y, z] = found.in_cell(&options.cell.unwrap());
     // Half a diameter from every side, up to what a window grants for rounding.

@@ -199,7 +199,7 @@ fn told(request: &Request) -> String {
             let (robot, process, acting) = (request.robot().ok(), request.given_process(), request.acting().ok());
             let (at, stock, window) = (
                 (request.at(), request.pins(), request.only_tool(), request.tip_of(Some(1))),
-                request.stock().ok(),
+                request.stock(),
                 request.path_ground().ok(),
             );
             let left = (

@@ -58,8 +58,13 @@ pub enum Kind {
     },
     /// `x0..x1,z0..z1` or `x0..x1,y0..y1,z0..z1` in m; several with `;` between.
     Within,
-    /// `x0..x1,y0..y1,z0..z1` in m; several with `;` between.
-    Block,
+    /// `x0..x1,y0..y1,z0..z1`; several with `;` between.
+    Block {
+        /// The unit: m or mm.
+        of: &'static str,
+        /// No end of a range may be left open.
+        is_bounded: bool,
+    },
     /// How the base is mounted.
     Mount,
     /// Of a rectangle: a word, or degrees.
@@ -238,7 +243,7 @@ impl Kind {
                 range => Ok(Value::Interval(range)),
             },
             Self::Within => window(text).map(Value::Window),
-            Self::Block => block(text).map(Value::Block),
+            Self::Block { of, is_bounded } => block(text, of, is_bounded).map(Value::Block),
             Self::Mount => mount(text).map(Value::Mount),
             Self::Angle => text.parse().map(Value::Angle),
             Self::Elevation => elevation(text).map(Value::Number),

@@ -352,15 +352,28 @@ pub fn within(text: &str) -> Result<Within, String> {
     Ok(Within { x: open_range(x)?, z: open_range(z)? })
 }
 
-/// `x0..x1,y0..y1,z0..z1` in m.
+/// No cell reaches farther, m: beyond it the unit is another one.
+const FARTHEST: f64 = 100.0;
+
+/// `x0..x1,y0..y1,z0..z1` in m, or in mm.
 ///
 /// # Errors
 /// What was expected.
-pub fn block(text: &str) -> Result<Block, String> {
-    let expected = || "expected x0..x1,y0..y1,z0..z1 in m; each range may be left open at either end".to_owned();
+pub fn block(text: &str, of: &str, is_bounded: bool) -> Result<Block, String> {
+    let ends = if is_bounded { "both ends of all three ranges" } else { "each range may be left open at either end" };
+    let expected = || format!("expected x0..x1,y0..y1,z0..z1 in {of}; {ends}");
     let ranges: Vec<&str> = text.split(',').collect();
     let &[x, y, z] = ranges.as_slice() else { return Err(expected()) };
-    Ok(Block { x: open_range(x)?, y: open_range(y)?, z: open_range(z)? })
+    let side = |text: &str| {
+        let range = open_range(text)?;
+        if is_bounded && !range.is_bounded() {
+            return Err(expected());
+        }
+        let farthest = if of == "mm" { FARTHEST * 1e3 } else { FARTHEST };
+        let is_near = [range.min(), range.max()].iter().all(|end| !end.is_finite() || end.abs() <= farthest);
+        if is_near { Ok(range) } else { Err(format!("'{text}' lies beyond {farthest} {of}; the ranges are in {of}")) }
+    };
+    Ok(Block { x: side(x)?, y: side(y)?, z: side(z)? })
 }
 
 /// A place for work: as [`within`], or with y as a block of the cell.
@@ -369,7 +382,7 @@ pub fn block(text: &str) -> Result<Block, String> {
 /// What was expected.
 pub fn window(text: &str) -> Result<Window, String> {
     if text.matches(',').count() == 2 {
-        return block(text).map(Window::Block);
+        return block(text, "m", false).map(Window::Block);
     }
     let Within { x, z } = within(text)?;
     Ok(Window::Ring { ahead: x, z })
@@ -468,7 +481,12 @@ mod tests {
             window("1..,..0.8"),
             Ok(Window::Ring { ahead: open_range("1..").unwrap(), z: open_range("..0.8").unwrap() })
         );
-        assert!(block("1..2,0..1").is_err() && window("1..2,3..4,5..6,7..8").is_err());
+        assert!(block("1..2,0..1", "m", false).is_err());
+        let told = |text: &str, of: &str, is_bounded| block(text, of, is_bounded).unwrap_err();
+        assert_eq!(told("500..900,0..1,0..1", "m", false), "'500..900' lies beyond 100 m; the ranges are in m");
+        assert!(block("500..900,..1,0..1", "mm", false).is_ok() && block("..,0..1,0..1", "m", false).is_ok());
+        assert!(told("..9,0..1,0..1", "mm", true).ends_with("in mm; both ends of all three ranges"));
+        assert!(window("1..2,3..4,5..6,7..8").is_err());
         assert_eq!(mount("floor"), Ok(Mount::pedestal(0.0)));
         assert_eq!(mount("wall:2.5@90"), Ok(Mount::wall(2.5).turned(90_f64.to_radians())));
         let posed = mount("pose:1,0.5,3,180,0,0").unwrap();

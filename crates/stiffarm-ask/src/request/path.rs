@@ -173,17 +173,11 @@ impl Request {
     }
 
     /// The corners of the block from which a part is cut, m.
-    ///
-    /// # Errors
-    /// A block that is open somewhere.
-    pub fn stock(&self) -> Result<Option<[[f64; 3]; 2]>, Refusal> {
+    pub fn stock(&self) -> Option<[[f64; 3]; 2]> {
         let block = self.one("stock-mm", |value| if let Value::Block(block) = value { Some(block) } else { None });
-        let Some(Block { x, y, z }) = block else { return Ok(None) };
+        let Block { x, y, z } = block?;
         let sides = [x, y, z];
-        if !sides.iter().all(|side| side.is_bounded()) {
-            return Err(self.refused("stock-mm", "expected both ends of all three ranges, in mm".into()));
-        }
-        Ok(Some([sides.map(|side| side.min() / 1e3), sides.map(|side| side.max() / 1e3)]))
+        Some([sides.map(|side| side.min() / 1e3), sides.map(|side| side.max() / 1e3)])
     }
 
     /// What else is asked of a path that is milled.
@@ -193,8 +187,8 @@ impl Request {
     pub fn mill_options(&self) -> Result<MillOptions, Refusal> {
         let PathGround { margins, cell, .. } = self.path_ground()?;
         let clearance = self.number("clearance-mm").map(|mm| mm / 1e3);
-        // Of several robots the bodies are guessed: they are looked at where that is asked.
-        let bodies = ["part", "fixture", "stick-out-mm"];
+        // Of several robots the bodies are guessed: they are looked at where that is asked, or what they may touch is given.
+        let bodies = ["part", "fixture", "stock-mm", "stick-out-mm", "keep-out"];
         let is_looked_at = !self.ranks_on_path() || bodies.iter().any(|name| self.is_given(name));
         let clearance = clearance.or_else(|| is_looked_at.then_some(0.0));
         let usual = MillOptions::usual();

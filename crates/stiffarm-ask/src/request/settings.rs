@@ -981,7 +981,7 @@ const OF_ZONES: &[Setting] = &[
     },
     Setting {
         name: "keep-out",
-        kind: Kind::Block,
+        kind: Kind::Block { of: "m", is_bounded: false },
         count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
         unit: "m",
         value: "BOX",

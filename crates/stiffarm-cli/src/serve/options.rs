@@ -66,7 +66,7 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Force => "force",
         Kind::Range { .. } => "range",
         Kind::Within => "within",
-        Kind::Block => "block",
+        Kind::Block { .. } => "block",
         Kind::Mount => "mount",
         Kind::Angle => "angle",
         Kind::Elevation => "elevation",

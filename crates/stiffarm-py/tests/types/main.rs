@@ -336,7 +336,7 @@ fn python_type(setting: &Setting) -> String {
         ) => "str | Iterable[str]".into(),
         (Kind::Heading, _) => "str | Iterable[str] | Mapping[str, str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
-        (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
+        (Kind::Block { .. }, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),
         (Kind::Force, _) => "float | npt.ArrayLike".into(),
         (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw | Kind::Roll, _) => "str | float".into(),

@@ -64,7 +64,7 @@ impl MillAnswer {
         let shank = process.as_ref().and_then(|(_, process)| process.shank);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
-        let mut stock = match (asked.stock()?, &forcing) {
+        let mut stock = match (asked.stock(), &forcing) {
             (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
                 let area = (high[0] - low[0]) * (high[1] - low[1]);
                 let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());

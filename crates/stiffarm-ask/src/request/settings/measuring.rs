@@ -244,7 +244,7 @@ pub(super) const ROWS: &[Setting] = &[
     Setting {
         name: "window",
         verbs: MEASURE,
-        kind: Kind::Block,
+        kind: Kind::Block { of: "m", is_bounded: false },
         unit: "m",
         value: "RANGES",
         absent: Absent::Means("above the floor"),

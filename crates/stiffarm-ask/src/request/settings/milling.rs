@@ -101,7 +101,7 @@ pub(super) const ROWS: &[Setting] = &[
     },
     Setting {
         name: "stock-mm",
-        kind: Kind::Block,
+        kind: Kind::Block { of: "mm", is_bounded: true },
         unit: "mm",
         value: "BOX",
         needs: &[(Verb::Mill, "process")],
@@ -144,7 +144,7 @@ pub(super) const ROWS: &[Setting] = &[
     },
     Setting {
         name: "keep-out",
-        kind: Kind::Block,
+        kind: Kind::Block { of: "m", is_bounded: false },
         count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
         unit: "m",
         value: "BOX",
