@@ -3236,6 +3236,40 @@ class PathRankingRow(_Pass):
     singular_margin_deg: float | None
     """The smallest angle to a singular posture in the zone."""
 
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_by: list[str] | None
+    """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
+    file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and
+    what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the
+    `stock`."""
+
+    clearance_outside_mm: float | None
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
+    clearance_wide_mm: float | None
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
+
+    clearance_wide_of: str | None
+    """Which of those to what."""
+
+    asked_clearance_mm: float | None
+    """What the arm was to keep from everything; null where nobody looked."""
+
+    contacts: list[dict[str, object]] | None
+    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
+    looked."""
+
+    unavoidable: dict[str, object] | None
+    """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
+    configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
+
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
 

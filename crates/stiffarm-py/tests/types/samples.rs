@@ -490,6 +490,7 @@ pub(crate) fn path_rankings() -> Vec<Value> {
     vec![
         of(&robots, &[several, ("tool", "spindle:250@90"), ("tolerance-mm", "0.5")]),
         of(&robots, &[several, ("within", "8..9,0..1")]),
+        of(&[kuka()], &[several, ("tool", "spindle:250@90"), ("clearance-mm", "3000")]),
         of(&[two_links()], &[several]),
     ]
 }

@@ -88,9 +88,10 @@ impl MillAnswer {
         Some(format!("at every roll {}, at best", self.told(unavoidable)))
     }
 
-    /// How near the arm comes, and what it touches.
-    pub(super) fn put_clearance(&self, record: &mut Record) {
-        let found = self.clearance();
+    /// How near the arm comes, and what it touches; nothing of an answer that there is not.
+    pub(super) fn put_clearance(answer: Option<&Self>, record: &mut Record) {
+        let found = answer.and_then(Self::clearance);
+        let contact = |contact: &Contact| answer.map(|answer| answer.contact(contact));
         let nearest = found.and_then(|found| found.nearest.as_ref());
         let wide = nearest.and_then(|nearest| nearest.wide);
         let by = nearest.map(|nearest| {
@@ -117,15 +118,9 @@ impl MillAnswer {
             .put(field::CLEARANCE_OUTSIDE, nearest.map(|nearest| nearest.outside))
             .put(field::CLEARANCE_WIDE, wide.map(|wide| wide.distance))
             .put(field::CLEARANCE_WIDE_OF, wide.map(|wide| bodies(wide.link, wide.to)))
-            .put(field::ASKED_CLEARANCE, self.options.clear_of.as_ref().map(|clear_of| clear_of.clearance))
-            .put(
-                field::CONTACTS,
-                found.map(|found| found.contacts.iter().map(|one| self.contact(one)).collect::<Value>()),
-            )
-            .put(
-                field::UNAVOIDABLE,
-                found.and_then(|found| found.unavoidable.as_ref()).map(|unavoidable| self.contact(unavoidable)),
-            );
+            .put(field::ASKED_CLEARANCE, answer.and_then(|answer| Some(answer.options.clear_of.as_ref()?.clearance)))
+            .put(field::CONTACTS, found.map(|found| found.contacts.iter().filter_map(contact).collect::<Value>()))
+            .put(field::UNAVOIDABLE, found.and_then(|found| found.unavoidable.as_ref()).and_then(contact));
     }
 
     fn contact(&self, contact: &Contact) -> Value {
@@ -150,9 +145,9 @@ impl MillAnswer {
             )
         });
         let unavoidable = self.unavoidable_told().map(|told| line(self.called(found.unavoidable.as_ref()), told));
-        let contacts =
-            found.contacts.iter().take(TOLD).map(|contact| line(self.called(Some(contact)), self.told(contact)));
-        let more = found.contacts.len().saturating_sub(TOLD);
+        let others = || found.contacts.iter().filter(|contact| Some(*contact) != found.unavoidable.as_ref());
+        let contacts = others().take(TOLD).map(|contact| line(self.called(Some(contact)), self.told(contact)));
+        let more = others().count().saturating_sub(TOLD);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
         nearest.into_iter().chain(unavoidable).chain(contacts).chain(more).collect()
     }

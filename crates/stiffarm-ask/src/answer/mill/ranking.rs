@@ -321,6 +321,7 @@ impl PathRow {
             .put(field::CELL_YAW, in_cell.map(|placement| placement.yaw))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
             .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
+        MillAnswer::put_clearance(answer, &mut record);
         let verdict = answer.filter(|milled| clear(milled).is_some()).and_then(MillAnswer::verdict);
         verdict::put(&mut record, tolerance_mm, verdict, false);
         uncertainty::put_chances(&mut record, &[*chances]);

@@ -53,7 +53,7 @@ impl MillAnswer {
             .put(field::WORST_SHARES, worst.and_then(|(_, pushed)| pushed.shares))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
             .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
-        self.put_clearance(&mut record);
+        Self::put_clearance(Some(self), &mut record);
         verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
         let compensated = |compensation| compensated(compensation, self.tolerance_mm);
         record
