@@ -3114,7 +3114,7 @@ class MilledDict(_Pass):
     """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
     looked."""
 
-    unavoidable: dict[str, object] | None
+    unavoidable: PathContact | None
     """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
     configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
 
@@ -3262,11 +3262,11 @@ class PathRankingRow(_Pass):
     asked_clearance_mm: float | None
     """What the arm was to keep from everything; null where nobody looked."""
 
-    contacts: list[dict[str, object]] | None
+    contacts: list[PathContact] | None
     """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
     looked."""
 
-    unavoidable: dict[str, object] | None
+    unavoidable: PathContact | None
     """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
     configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
 

@@ -88,7 +88,9 @@ impl Ladder<'_> {
         let touched = flood(nodes.clone(), &mut known, about, |node, beside| self.node_touch(guard, *node, beside))?;
         self.touching.known_nodes = known;
         if !touched.is_empty() {
-            touched.into_iter().for_each(|node| self.block(node));
+            for node in touched {
+                self.block(node);
+            }
             return Ok(false);
         }
         let edges = (1..nodes.len()).filter(|k| !self.rungs[*k].is_fresh);

@@ -643,14 +643,17 @@ fn a_round_tool_is_as_near_as_the_whole_arm_has_it() {
         let i = rng.usize(1..stations.len());
         let [from, to] = [i - 1, i].map(|i| (one.base_from_part * Point3::from(stations[i].sample.pose.tip)).coords);
         let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
-        let (half, clearance) = (part(0.002, 0.02), part(0.0, 0.01));
+        let (mut half, clearance) = (part(0.002, 0.02), part(0.0, 0.01));
         // Beside the middle of a way, where many a tool touches that does not at its ends.
         let [first, last] = [i - 1, i].map(|i| one.base_from_part.rotation * stations[i].sample.pose.axis);
         // Where it turns, beside the plane in which it does.
         let turns = 0.1 < first.angle(&last);
         let aside = if turns { first.cross(&last) } else { (to - from).cross(&Vector3::z()) };
         let Some(aside) = aside.try_normalize(1e-9) else { continue };
-        let beyond = if turns { part(-0.002, 0.002) } else { part(-0.01, 0.03) };
+        let mut beyond = part(-0.01, 0.03);
+        if turns {
+            (half, beyond) = (half / 20.0, beyond / 20.0);
+        }
         let far = robot.thickness().0.spindle() + half + clearance + beyond;
         let aside = aside * far + (first + last).normalize() * part(0.1, 0.25);
         let centre = (from + to) / 2.0 + aside;
