@@ -672,8 +672,8 @@ fn a_round_tool_is_as_near_as_the_whole_arm_has_it() {
             assert!(near < known + 1e-9, "{near} {known}");
             if let Some(before) = i.checked_sub(1) {
                 let least = witness.least([end(before), end(i)]).unwrap();
-                let is_told = !told.contacts.is_empty();
-                assert!(clearance - 1e-9 <= least || is_told, "{i}: {least} of {clearance} is missed");
+                let told = near.min(told.at[before].unwrap().distance);
+                assert!(clearance - 1e-9 <= least || told < clearance + 1e-4, "{i}: {least} of {clearance} is missed");
                 // Between places of the subdivision it moves by some mm.
                 assert!(!is_on_way || (least - near).abs() < 5e-3, "{i}: {least} {near}");
             }
