@@ -111,13 +111,22 @@ mod tests {
     use super::super::solid::Solid;
     use super::*;
 
+    /// The triangles of a box whose corners have the numbers from `first` on.
+    fn faces(first: u32) -> impl Iterator<Item = [u32; 3]> {
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        faces.into_iter().flat_map(move |[a, b, c, d]| [[a, b, c], [a, c, d]].map(|face| face.map(|i| i + first)))
+    }
+
     /// A box about zero by half its sides.
     fn block(half: [f64; 3]) -> Mesh {
         let corners =
             (0..8).map(|i| std::array::from_fn(|axis| if i >> axis & 1 == 0 { -half[axis] } else { half[axis] }));
-        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-        Mesh::of(&Surface { corners: corners.collect(), triangles, is_closed: true, notes: Vec::new() })
+        Mesh::of(&Surface {
+            corners: corners.collect(),
+            triangles: faces(0).collect(),
+            is_closed: true,
+            notes: Vec::new(),
+        })
     }
 
     /// The same box as one solid is asked by other routines.
@@ -158,11 +167,7 @@ mod tests {
             let corner = move |i: usize| [x[i & 1], [-0.2, 0.2][i >> 1 & 1], [0.0, high][i >> 2]];
             (0..8).map(corner).collect::<Vec<[f64; 3]>>()
         });
-        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        let of = |first: u32| {
-            faces.iter().flat_map(move |[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]].map(|face| face.map(|i| i + first)))
-        };
-        let triangles = of(0).chain(of(8)).collect();
+        let triangles = faces(0).chain(faces(8)).collect();
         Mesh::of(&Surface { corners: parts.concat(), triangles, is_closed: true, notes: Vec::new() })
     }
 

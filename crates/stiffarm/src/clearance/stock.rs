@@ -220,6 +220,18 @@ mod tests {
         assert!(50 < overlaps && 50 < apart && 20 < nothing, "{overlaps} {apart} {nothing}");
     }
 
+    /// By hand: the left half is cut down by 40 mm, and a flat end is half a millimetre in what is left there.
+    #[test]
+    fn a_flat_end_in_a_low_step_is_no_deeper_than_its_way_back() {
+        let mut stock = Stock::block([0.0, 0.0, -0.06], [0.4, 0.2, 0.0], 5e-3).unwrap();
+        stock.cut(&Vector3::new(0.1, 0.1, -0.04), &Vector3::new(0.1, 0.1, -0.04), 0.15);
+        let remains = Remains::of(&stock);
+        let end = Vector3::new(0.1, 0.1, -0.0405);
+        let spindle = Capsule { ends: [end + Vector3::z() * 0.3, end], radius: 0.03 };
+        let found = remains.apart_from((&Pose::identity(), usize::MAX), (&spindle, Ends::Flat), 1.0).unwrap();
+        assert!((found + 0.0005).abs() < 2e-5, "{found}");
+    }
+
     fn columns(remains: &Remains, sample: usize) -> Vec<[Vector3<f64>; 2]> {
         let (mut found, mut queue) = (Vec::new(), vec![remains.whole()]);
         while let Some(square) = queue.pop() {

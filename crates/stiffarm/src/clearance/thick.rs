@@ -102,9 +102,9 @@ impl<'a> ThickArm<'a> {
         nearest.near
     }
 
-    /// The length of the tool and its largest radius with a cutter of some radius in the spindle, m.
-    pub(crate) fn size_of_tool(&self, cutter: f64) -> Option<[f64; 2]> {
-        self.tool.map(|tool| [tool.point.norm(), tool.radius.max(cutter)])
+    /// No point of the tool with a cutter of this radius, m, in the spindle is farther from its tip, m; `None` where there is no tool.
+    pub(crate) fn farthest_from_tip(&self, cutter: f64) -> Option<f64> {
+        self.tool.map(|tool| tool.point.norm().hypot(tool.radius.max(cutter)))
     }
 
     /// By how much a link may stand out of what it is taken for, m.

@@ -40,6 +40,8 @@ const FARTHEST_FLOOR: f64 = 100.0;
 /// Of what is farther than was asked by this, m, nothing more is known where it is asked alone what touches: no step from sample to sample moves the
 /// arm so far, but for few.
 const NEAR: f64 = 0.2;
+/// Places between two stations at which it is looked how deep something is touched there.
+const PLACES: usize = 32;
 /// A tool whose flange stands no farther from its axis, m, is round.
 const ROUND: f64 = 1e-6;
 
@@ -178,10 +180,10 @@ impl<'a> Guard<'a> {
             }
         };
         let (point, axis) = (stand.flange_from_tool.translation.vector, stand.flange_from_tool.rotation * Vector3::z());
-        let size_of_tool = thick.size_of_tool(cutter_radius);
+        let farthest_of_tool = thick.farthest_from_tip(cutter_radius);
         Some(Self {
-            is_tool_round: size_of_tool.is_some() && point.cross(&axis).norm() < ROUND,
-            farthest_of_tool: size_of_tool.map_or(0.0, |[length, radius]| length.hypot(radius)),
+            is_tool_round: farthest_of_tool.is_some() && point.cross(&axis).norm() < ROUND,
+            farthest_of_tool: farthest_of_tool.unwrap_or(0.0),
             farthest,
             bodies,
             forbade: AtomicBool::new(false),

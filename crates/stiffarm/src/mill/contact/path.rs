@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::step::{Between, Way};
-use super::{Contact, Guard, PathClearance, Posed, nearer};
+use super::{Contact, Guard, PLACES, PathClearance, Posed, nearer};
 use crate::clearance::{Looked, Near};
 use crate::mill::fault::MillError;
 use crate::mill::follow::{Arrangement, Pushed};
@@ -14,9 +14,6 @@ const TOGETHER: usize = 4096;
 
 /// Stations at which a path is looked at before it is followed.
 const SOON: usize = 64;
-
-/// Places between two stations at which it is looked how deep something is touched there.
-const PLACES: usize = 32;
 
 /// What of the arm is nearest at a station and on the way to it.
 struct AtStation {

@@ -47,8 +47,7 @@ impl Way {
     pub(super) fn at(&self, guard: &Guard, part: f64, near: &[f64; 6]) -> Result<Option<[f64; 6]>, MillError> {
         match self {
             Self::Straight { line, configuration, ends: [(from, roll), (to, last)] } => {
-                let axis = from.axis.lerp(&to.axis, part).normalize();
-                let pose = ToolPose { tip: from.tip.lerp(&to.tip, part), axis };
+                let pose = part_way(from, to, part);
                 let roll = roll + part * wrapped(last - roll);
                 let theta = guard.theta(*line, &pose, Arrangement { configuration: *configuration, roll })?;
                 Ok(theta.map(|theta| beside(&theta, near)))
@@ -128,6 +127,11 @@ impl Guard<'_> {
         };
         (0..6).map(|i| turned(i) * self.farthest[i]).sum()
     }
+}
+
+/// So far, 0 to 1, from one tool pose to another: the tip goes straight, the axis turns evenly.
+pub(super) fn part_way(from: &ToolPose, to: &ToolPose, part: f64) -> ToolPose {
+    ToolPose { tip: from.tip.lerp(&to.tip, part), axis: from.axis.lerp(&to.axis, part).normalize() }
 }
 
 /// The same angles with the whole turns that lie nearest to others.

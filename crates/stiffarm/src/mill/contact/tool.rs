@@ -3,8 +3,8 @@
 
 use rayon::prelude::*;
 
-use super::step::MOST_HALVINGS;
-use super::{Contact, Guard, deeper, nearer};
+use super::step::{MOST_HALVINGS, part_way};
+use super::{Contact, Guard, PLACES, deeper, nearer};
 use crate::clearance::{Looked, Near};
 use crate::mill::fault::MillError;
 use crate::mill::stations::Station;
@@ -13,9 +13,6 @@ use crate::watch::Watch;
 
 /// What is farther by less than this, m, than was asked is as if it touched.
 const GRAZED: f64 = 5e-5;
-/// Places of a way on which something is touched at which it is looked how deep.
-const PLACES: usize = 32;
-
 /// What a tool comes near to along a path.
 pub(super) struct ToolAlong {
     /// The nearest at every station.
@@ -70,7 +67,7 @@ impl Guard<'_> {
                 distance: at[end].map_or(f64::INFINITY, |near| near.distance),
             });
             let touched = self.tool_between(i, [from, to], MOST_HALVINGS)?;
-            let places = (1..PLACES).map(|place| between(&from.pose, &to.pose, place as f64 / PLACES as f64));
+            let places = (1..PLACES).map(|place| part_way(&from.pose, &to.pose, place as f64 / PLACES as f64));
             places.chain([touched]).map(|pose| self.tool_near(&pose, i, Looked::ALL)).fold(None, nearer)
         };
         let on_way = (0..count).into_par_iter().map(on_way).collect();
@@ -83,7 +80,7 @@ impl Guard<'_> {
     /// add up along the way.
     fn tool_between(&self, station: usize, ends: [Placed; 2], halvings: usize) -> Option<ToolPose> {
         let [from, to] = &ends;
-        let pose = between(&from.pose, &to.pose, 0.5);
+        let pose = part_way(&from.pose, &to.pose, 0.5);
         let moved = self.tool_moved(&from.pose, &pose) + self.tool_moved(&pose, &to.pose);
         if moved + 2.0 * self.clearance < from.distance + to.distance {
             return None;
@@ -109,10 +106,6 @@ impl Guard<'_> {
     fn tool_moved(&self, from: &ToolPose, to: &ToolPose) -> f64 {
         (to.tip - from.tip).norm() + from.axis.angle(&to.axis) * self.farthest_of_tool
     }
-}
-
-fn between(from: &ToolPose, to: &ToolPose, part: f64) -> ToolPose {
-    ToolPose { tip: from.tip.lerp(&to.tip, part), axis: from.axis.lerp(&to.axis, part).normalize() }
 }
 
 fn touches(near: Option<&Near>, asked: f64) -> bool {
