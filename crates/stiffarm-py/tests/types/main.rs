@@ -272,7 +272,12 @@ fn write_paths(text: &mut String) {
         with_schema[0],
     ];
     class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);
-    let within = [within[1], within[2], within[5], within[6]];
+    let within = [
+        ("roll", "RollChoice"),
+        ("search", "PlaceSearch"),
+        ("contacts", "PathContact"),
+        ("unavoidable", "PathContact"),
+    ];
     class(text, ("PathRankingRow", "_Pass"), "One robot of a ranking on a path.", ranked.under("rows"), &within);
     let within = [("part", "PathLength"), ("rows", "PathRankingRow"), with_schema[0]];
     class(text, ("PathRankingDict", "TypedDict"), "`stiffarm.PathRanking.to_dict`.", &ranked, &within);
