@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -48,7 +49,7 @@ pub(super) fn cover(triangles: &[Triangle], most: usize) -> Vec<Capsule> {
     let size = extent(&points);
     let pieces = pieces(triangles, size * FINENESS);
     let search = Search { patches: patches(&pieces, first, size * FINENESS), size };
-    let mut lines = vec![search.fit(&search.patches.iter().collect::<Vec<_>>(), None, STEPS)];
+    let mut lines = vec![search.fit(&search.patches.iter().collect::<Vec<_>>(), None)];
     let (mut found, mut least) = (lines.clone(), volume(&lines));
     // The first cut may save nothing and the second one much.
     for _ in 1..most {
@@ -105,6 +106,7 @@ fn directions() -> impl Iterator<Item = Vec3> {
 /// Points of the surface that lie in one capsule as a whole.
 struct Patch {
     points: Vec<Vec3>,
+    middle: Vec3,
     /// In each of the directions: how far the points reach, and which of them does.
     farthest: Vec<(f64, usize)>,
 }
@@ -115,7 +117,7 @@ impl Patch {
             let along = points.iter().map(|point| point.dot(&direction)).zip(0..);
             along.fold((f64::NEG_INFINITY, 0), |most, next| if most.0 < next.0 { next } else { most })
         });
-        Self { farthest: farthest.collect(), points }
+        Self { middle: middle(&points), farthest: farthest.collect(), points }
     }
 
     fn is_in(&self, line: &Capsule) -> bool {
@@ -134,20 +136,45 @@ fn patches(pieces: &[Triangle], origin: &Vec3, width: f64) -> Vec<Patch> {
     cells.into_values().map(|corners| Patch::new(outermost(&[&Patch::new(corners)]))).collect()
 }
 
-/// The points that are farthest in one of the directions.
-fn outermost(patches: &[&Patch]) -> Vec<Vec3> {
-    let mut most = vec![(f64::NEG_INFINITY, (0, 0)); directions().count()];
-    for (at, patch) in patches.iter().enumerate() {
-        for (most, (along, point)) in most.iter_mut().zip(&patch.farthest) {
-            if most.0 < *along {
-                *most = (*along, (at, *point));
+/// In each of the directions: how far some patches reach, and which point of which patch does.
+#[derive(Clone)]
+struct Farthest(Vec<(f64, (usize, usize))>);
+
+impl Farthest {
+    /// Of the patches in `range`, which are numbered as all of them are.
+    fn of(patches: &[&Patch], range: Range<usize>) -> Self {
+        let mut most = vec![(f64::NEG_INFINITY, (0, 0)); directions().count()];
+        for at in range {
+            for (most, (along, point)) in most.iter_mut().zip(&patches[at].farthest) {
+                if most.0 < *along {
+                    *most = (*along, (at, *point));
+                }
             }
         }
+        Self(most)
     }
-    let mut kept: Vec<(usize, usize)> = most.into_iter().map(|(_, at)| at).collect();
-    kept.sort_unstable();
-    kept.dedup();
-    kept.into_iter().filter_map(|(at, point)| patches.get(at)?.points.get(point).copied()).collect()
+
+    fn with(mut self, later: &Self) -> Self {
+        for (most, next) in self.0.iter_mut().zip(&later.0) {
+            if most.0 < next.0 {
+                *most = *next;
+            }
+        }
+        self
+    }
+
+    /// Each once.
+    fn points(self, patches: &[&Patch]) -> Vec<Vec3> {
+        let mut kept: Vec<(usize, usize)> = self.0.into_iter().map(|(_, at)| at).collect();
+        kept.sort_unstable();
+        kept.dedup();
+        kept.into_iter().filter_map(|(at, point)| patches.get(at)?.points.get(point).copied()).collect()
+    }
+}
+
+/// The points that are farthest in one of the directions.
+fn outermost(patches: &[&Patch]) -> Vec<Vec3> {
+    Farthest::of(patches, 0..patches.len()).points(patches)
 }
 
 /// Of all patches.
@@ -214,31 +241,36 @@ impl Search {
     }
 
     /// The capsule with the least cost about the patches that is found from a line and from the axes.
-    fn fit(&self, patches: &[&Patch], from: Option<Capsule>, steps: usize) -> Capsule {
+    fn fit(&self, patches: &[&Patch], from: Option<Capsule>) -> Capsule {
         let (points, mut near) = (points(patches), outermost(patches));
-        let axes = axes(&near);
-        let axes = if steps == FEW_STEPS { &axes[..1] } else { &axes };
-        let starts = axes.iter().map(|axis| Capsule::along(axis, &near)).chain(from);
-        let tried = starts.map(|start| self.descend(start, &near, steps));
+        let starts = axes(&near).map(|axis| Capsule::along(&axis, &near)).into_iter().chain(from);
+        let tried = starts.map(|start| self.descend(start, &near, (STEPS, SHRINK)));
         let least = tried.min_by(|x, y| self.cost(x).total_cmp(&self.cost(y)));
         let mut best = least.unwrap_or(Capsule { ends: [Vec3::zeros(); 2], radius: 0.0 });
-        for _ in 0..if steps == FEW_STEPS { 0 } else { MENDED } {
+        for _ in 0..MENDED {
             let is_out = |point: &&Vec3| best.radius < best.away(point).norm();
             let out: Vec<Vec3> = points.iter().filter(is_out).copied().collect();
             if out.is_empty() {
                 break;
             }
             near.extend(outermost(&[&Patch::new(out)]));
-            best = self.descend(Capsule::about(best.ends, &near), &near, steps);
+            best = self.descend(Capsule::about(best.ends, &near), &near, (STEPS, SHRINK));
         }
         Capsule::about(best.ends, &points)
     }
 
+    /// One to compare, about patches of which `near` are the outermost points.
+    fn sketch(&self, patches: &[&Patch], near: &[Vec3]) -> Capsule {
+        let start = Capsule::along(&axes(near)[0], near);
+        let best = self.descend(start, near, (FEW_STEPS, FEW_SHRINK));
+        let reaches = patches.iter().map(|patch| best.reach(&patch.points));
+        Capsule { radius: reaches.fold(0.0, f64::max), ..best }
+    }
+
     /// Downhill in ever smaller steps: the ends follow the points that are farthest, and each other.
-    fn descend(&self, start: Capsule, points: &[Vec3], steps: usize) -> Capsule {
+    fn descend(&self, start: Capsule, points: &[Vec3], (steps, shrink): (usize, f64)) -> Capsule {
         let size = extent(points);
         let mut step = size * FIRST_STEP;
-        let shrink = if steps == FEW_STEPS { FEW_SHRINK } else { SHRINK };
         let (mut line, mut best) = (start, start);
         for _ in 0..steps {
             let slopes = self.slopes(&line, points, step);
@@ -290,13 +322,18 @@ impl Search {
         for own in 0..lines.len() {
             let mut patches = self.left_to(lines, own);
             for axis in axes(&points(&patches)) {
-                patches.sort_by(|x, y| middle(&x.points).dot(&axis).total_cmp(&middle(&y.points).dot(&axis)));
-                for cut in 1..=CUTS {
-                    let (low, high) = patches.split_at(patches.len() * cut / (CUTS + 1));
+                patches.sort_by(|x, y| x.middle.dot(&axis).total_cmp(&y.middle.dot(&axis)));
+                let cut = |i: usize| patches.len() * i / (CUTS + 1);
+                let between: Vec<_> = (0..=CUTS).map(|i| Farthest::of(&patches, cut(i)..cut(i + 1))).collect();
+                for i in 1..=CUTS {
+                    let (low, high) = patches.split_at(cut(i));
                     if !low.is_empty() && !high.is_empty() {
+                        let near = |parts: &[Farthest]| {
+                            parts[1..].iter().fold(parts[0].clone(), Farthest::with).points(&patches)
+                        };
                         let mut more = lines.to_vec();
-                        more[own] = self.fit(low, None, FEW_STEPS);
-                        more.push(self.fit(high, None, FEW_STEPS));
+                        more[own] = self.sketch(low, &near(&between[..i]));
+                        more.push(self.sketch(high, &near(&between[i..])));
                         cuts.push((volume(&more), more));
                     }
                 }
@@ -304,7 +341,8 @@ impl Search {
         }
         cuts.sort_by(|x, y| x.0.total_cmp(&y.0));
         let followed = cuts.into_iter().take(FOLLOWED).map(|(_, more)| self.refined(more));
-        followed.min_by(|x, y| volume(x).total_cmp(&volume(y)))
+        let followed = followed.map(|lines| (volume(&lines), lines));
+        followed.min_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, lines)| lines)
     }
 
     /// Each fitted again to what the others leave to it, as long as that helps.
@@ -318,7 +356,7 @@ impl Search {
                     continue;
                 }
                 let about = Capsule::about(lines[own].ends, &points(&left));
-                let again = self.fit(&left, Some(about), STEPS);
+                let again = self.fit(&left, Some(about));
                 has_fallen |= self.cost(&again) < (1.0 - LEAST_FALL) * self.cost(&lines[own]);
                 if self.cost(&again) < self.cost(&lines[own]) {
                     lines[own] = again;
