@@ -48,3 +48,8 @@ mod toolpath_files;
 mod true_arm;
 mod verify;
 mod written;
+
+/// How many cases brute force tries: as many as usual, or `STIFFARM_CASES` times that.
+pub(crate) fn cases(usual: u64) -> u64 {
+    usual * std::env::var("STIFFARM_CASES").map_or(1, |times| times.parse().expect("how many times the usual cases"))
+}

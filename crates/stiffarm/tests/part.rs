@@ -74,14 +74,16 @@ fn held(robot: &Robot, stand: &Stand, face: &Face, roll: f64, configuration: Con
 fn held_below(robot: &Robot, stand: &Stand, part: &Part, limit: f64) -> Option<f64> {
     let face = |face: &Face| {
         let rolls = (0..36).map(|i| TAU * f64::from(i) / 36.0);
-        let at = rolls.flat_map(|roll| Configuration::ALL.map(|configuration| (roll, configuration)));
         // No face is stiffer than its centre.
-        let reached_below = |(roll, configuration): &(f64, Configuration)| {
-            let flange = stand.pose(face, [0.0; 2], *roll) * spindle().inverse();
-            let found = reached(robot, &flange).into_iter().find(|(found, _)| found == configuration);
-            found.is_some_and(|(_, q)| compliance(robot, &q, &spindle()).unwrap().compliance.worst().0 < limit)
+        let below = |roll: f64| {
+            let flange = stand.pose(face, [0.0; 2], roll) * spindle().inverse();
+            let worst = |q: &[f64; 6]| compliance(robot, q, &spindle()).unwrap().compliance.worst().0;
+            reached(robot, &flange)
+                .into_iter()
+                .filter(move |(_, q)| worst(q) < limit)
+                .map(move |(found, _)| (roll, found))
         };
-        let values = at.filter(reached_below).filter_map(|(roll, found)| held(robot, stand, face, roll, found));
+        let values = rolls.flat_map(below).filter_map(|(roll, found)| held(robot, stand, face, roll, found));
         values.min_by(f64::total_cmp).filter(|value| *value < limit)
     };
     part.faces.iter().map(face).try_fold(0.0, |worst: f64, value| Some(worst.max(value?)))
@@ -156,7 +158,7 @@ fn a_part_of_one_face_is_a_flat_zone() {
 /// beside it is another matter, which is refused.
 #[test]
 fn a_part_stands_before_a_robot_on_a_pedestal_as_before_one_without() {
-    let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
+    let part = Part::of_box([0.2, 0.2, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
     let robot = &paper_robots()[4];
     let model = Model::spatial(robot, &spindle()).unwrap();
     let within = Within { x: Interval::new(0.8, 2.5).unwrap(), z: Interval::new(-0.2, 2.0).unwrap() };
@@ -180,7 +182,7 @@ fn a_part_stands_before_a_robot_on_a_pedestal_as_before_one_without() {
 /// Of a tool whose roll is given, and that points down, the roll counts from the part, which turns: no turn of it lies under the bound.
 #[test]
 fn a_roll_that_is_given_turns_with_the_part() {
-    let part = Part::of_box([0.5, 0.2, 0.1]).with_faces(&["top".into()]).unwrap();
+    let part = Part::of_box([0.3, 0.15, 0.1]).with_faces(&["top".into()]).unwrap();
     let robot = &paper_robots()[2];
     let model = Model::spatial(robot, &spindle()).unwrap();
     for roll in [0.4, 2.0] {
@@ -190,9 +192,9 @@ fn a_roll_that_is_given_turns_with_the_part() {
         };
         let free = placed(Orientation::Free);
         let bound = free.feasible().unwrap().lower_bound;
-        let turned = (0..12).map(|i| placed(Orientation::Fixed(TAU * f64::from(i) / 12.0)));
+        let turned = (0..5).map(|i| placed(Orientation::Fixed(TAU * f64::from(i) / 5.0)));
         let found: Vec<f64> = turned.filter_map(|placed| Some(placed.feasible()?.deflection)).collect();
-        assert!(3 < found.len(), "{found:?}");
+        assert!(1 < found.len(), "{found:?}");
         assert!(found.iter().all(|deflection| bound <= *deflection), "{bound}: {found:?}");
         // The same zone flat on the table, with the roll that this turn of the part gives the tool.
         let Placement { hold: Hold::Space(hold), centre, .. } = free.feasible().unwrap() else { panic!("in space") };

@@ -11,7 +11,8 @@ use stiffarm::limits::Limits;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 
-const POSTURES: usize = 10_000;
+use crate::cases;
+
 /// Of a pose that was computed there and back, m per metre of arm and rad. Some fifty products of numbers of the size of the
 /// arm lose 1e-14; where equal links are folded the distance to the wrist centre is the root of a difference, and a
 /// random arm folds to a thousandth of its length, no further: a thousandth of the digits more.
@@ -88,10 +89,10 @@ impl<'a> Subject<'a> {
     }
 
     /// There and back at random postures; the number of postures that were found, and of those that were looked for.
-    fn go_there_and_back(&self, seed: u64) -> (usize, usize) {
+    fn go_there_and_back(&self, seed: u64, count: u64) -> (usize, usize) {
         let mut rng = fastrand::Rng::with_seed(seed);
         let (mut found, mut looked_for) = (0, 0);
-        for _ in 0..POSTURES {
+        for _ in 0..count {
             let q = self.random_joints(&mut rng);
             let theta = self.theta(&q);
             let flange = self.geometry.forward(&theta);
@@ -168,9 +169,10 @@ fn every_posture_of_every_robot_is_found_again_from_its_pose_and_every_posture_f
     let robots = robots();
     let subjects: Vec<Subject> = robots.iter().filter_map(Subject::of).collect();
     assert!(300 <= subjects.len(), "{} robots with six axes", subjects.len());
-    let counts = subjects.par_iter().enumerate().map(|(seed, subject)| subject.go_there_and_back(seed as u64));
+    let count = cases(2_500);
+    let counts = subjects.par_iter().enumerate().map(|(seed, subject)| subject.go_there_and_back(seed as u64, count));
     let (found, looked_for) = counts.reduce(|| (0, 0), |(a, b), (c, d)| (a + c, b + d));
-    let drawn = subjects.len() * POSTURES;
+    let drawn = subjects.len() * count as usize;
     println!("{} robots, {drawn} postures, {found} found for their poses, {looked_for} looked for", subjects.len());
     assert!(drawn * 9 / 10 <= looked_for, "{looked_for} of {drawn} postures are far from singular ones");
     assert!(3 * drawn <= found, "{found} postures found for {drawn} poses");

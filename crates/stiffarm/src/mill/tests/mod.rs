@@ -695,7 +695,7 @@ fn no_place_by_chance_is_better_than_what_is_proved() {
     let coarse = Steps { longest: 0.05, ..Steps::USUAL };
     let stations = stations(&moves, &coarse, |_| Some(KNOWN));
     let (options, margins) = (with(RollMode::Constant), Margins::usual());
-    let within = Within { x: Interval::new(1.2, 2.4).unwrap(), z: Interval::new(0.4, 1.6).unwrap() };
+    let within = Within { x: Interval::new(1.4, 2.0).unwrap(), z: Interval::new(0.5, 1.1).unwrap() };
     let ground = PathGround { margins, within: Some(within), cell: None };
     let tool = stand().flange_from_tool;
     let found = place_path(&robot, &tool, &stations, (&options, &ground), Watch::nobody());
@@ -711,7 +711,7 @@ fn no_place_by_chance_is_better_than_what_is_proved() {
     let (mut followed, mut least) = (0, f64::INFINITY);
     for _ in 0..120 {
         let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
-        let placement = PartPlacement::from_base([part(1.3, 2.3), 0.0, part(0.4, 1.6)], part(-3.2, 3.2));
+        let placement = PartPlacement::from_base([part(1.45, 1.95), 0.0, part(0.5, 1.1)], part(-3.2, 3.2));
         let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: tool };
         let is_inside = |station: &Station| {
             let [x, _, z] = stand.above(station, 0.0);

@@ -61,10 +61,15 @@ mod tests {
     #[test]
     fn the_largest_deflection_across_a_zone_is_that_of_its_placement() {
         let zone = Zone::Rectangle { width: 0.3, height: 0.2 };
-        for (robot, elevation) in paper_robots().iter().take(3).zip([-std::f64::consts::FRAC_PI_2, 0.0, -0.6]) {
+        let turned = Interval::spanning(-0.5, 0.5);
+        let asked = [
+            (-std::f64::consts::FRAC_PI_2, turned, Orientation::Free),
+            (0.0, turned, Orientation::Axes),
+            (-0.6, Interval::point(0.2), Orientation::Free),
+        ];
+        for (robot, (elevation, yaw, orientation)) in paper_robots().iter().zip(asked) {
             let model = Model::spatial(robot, &Pose::translation(0.0, 0.05, 0.2)).unwrap();
-            let stance = Stance { elevation, yaw: Interval::spanning(-0.5, 0.5), roll: None };
-            let orientation = Orientation::Free;
+            let stance = Stance { elevation, yaw, roll: None };
             let options = PlaceOptions { stance: Some(stance), orientation, ..PlaceOptions::under(Load::PAPER) };
             let placed = place(&model, zone, &options).unwrap();
             let found = placed.feasible().unwrap_or_else(|| panic!("{}: no place", robot.name));
