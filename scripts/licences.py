@@ -1,12 +1,12 @@
-"""Prints the licences of every crate that is compiled into the program, for the host: names, expressions, texts as their crates bring them."""
+"""Prints the licences of all that is inside the program, for the host: every crate, with the texts that it brings, and the scripts beside them."""
 
 import json
 import subprocess
 import sys
 from pathlib import Path
 
-# Builds the program, and a file of it ends up inside.
-CARRIED = "plotly"
+# What others wrote and is no crate, each with its licence: NAME.LICENSE.
+ASSETS = Path(__file__).resolve().parents[1] / "crates/stiffarm-ask/assets"
 TEXTS = ("license", "licence", "copying", "notice", "copyright", "unlicense")
 
 
@@ -20,7 +20,7 @@ def run(*command: str) -> str:
 
 
 def compiled_in(found: dict, root: str) -> list[dict]:
-    """The packages that `root` needs when it runs: neither what tests it nor what builds it, but for what that leaves inside."""
+    """The packages that `root` needs when it runs: neither what tests it nor what builds it."""
     packages = {package["id"]: package for package in found["packages"]}
     nodes = {node["id"]: node for node in found["resolve"]["nodes"]}
     open_ids = [name for name, package in packages.items() if package["name"] == root]
@@ -31,7 +31,6 @@ def compiled_in(found: dict, root: str) -> list[dict]:
             if is_normal and dependency["pkg"] not in seen:
                 seen.add(dependency["pkg"])
                 open_ids.append(dependency["pkg"])
-    seen.update(name for name, package in packages.items() if package["name"] == CARRIED)
     foreign = (packages[name] for name in seen if packages[name]["source"] is not None)
     return sorted(foreign, key=lambda package: (package["name"], package["version"]))
 
@@ -52,7 +51,7 @@ def main() -> None:
     for package in packages:
         expression = package["license"] or "see the text"
         print(f"{package['name']} {package['version']}: {expression}; {package['repository'] or 'no repository named'}")
-    printed: dict[str, list[str]] = {}
+    printed = {path.read_text(encoding="utf-8").strip(): [f"{path.stem} ({path.name})"] for path in sorted(ASSETS.glob("*.LICENSE"))}
     for package in packages:
         for path in texts(package):
             printed.setdefault(path.read_text(encoding="utf-8", errors="replace").strip(), []).append(f"{package['name']} ({path.name})")

@@ -1,4 +1,4 @@
-//! Packs what is large and seldom read: plotly.js, alone out of the crate that carries it together with what sets formulas, and the fonts.
+//! Packs what is large and seldom read: the fonts.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -9,12 +9,8 @@ use flate2::write::GzEncoder;
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    let scripts = plotly::Plot::offline_js_sources();
-    let (_, rest) = scripts.split_once('>').expect("a script has a tag");
-    let (plotly, _) = rest.split_once("</script>").expect("a script ends");
     let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo names a folder"));
     for (name, bytes) in [
-        ("plotly.js.gz", plotly.as_bytes()),
         ("plain.ttf.gz", dejavu::sans::regular()),
         ("bold.ttf.gz", dejavu::sans::bold()),
         ("mono.ttf.gz", dejavu::sans_mono::regular()),
