@@ -62,11 +62,11 @@ fn no_choice_goes_below_the_bound_and_exchange_finds_the_best_or_nearly() {
     assert!(14 <= best_ones, "{best_ones} of 20");
 }
 
-/// What one more candidate tells, against the same choice put together anew.
+/// What one more candidate tells, against the same choice put together anew: of more candidates than are looked at together.
 #[test]
 fn gains_are_the_differences_of_the_value() {
     let mut rng = fastrand::Rng::with_seed(4);
-    let choice = choice(&mut rng, 6);
+    let choice = choice(&mut rng, 400);
     let covariance = choice.covariance(&[0, 1]);
     for (i, gain) in choice.gains(&covariance).into_iter().enumerate().skip(2) {
         let expected = choice.value(&[0, 1]) - choice.value(&[0, 1, i]);
