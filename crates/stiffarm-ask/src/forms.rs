@@ -5,14 +5,16 @@
 //! are the report on paper. `shop.svg` and `*.shop.svg`, and the same as `.png` and `.pdf`, are the drawing of where the work must stand; `lobes.svg` is
 //! from which depth a cut swings.
 
+use std::borrow::Cow;
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Value, json};
+use stiffarm::plain::on_one_line;
 
-use crate::answer::{Rows, Table};
+use crate::answer::{Lead, Rows, Table};
 use crate::error::AskError;
 use crate::exports;
 use crate::figures::Plate;
@@ -162,6 +164,38 @@ pub struct Sketch {
 pub fn sheet(tables: impl IntoIterator<Item = Table>, notes: String) -> Vec<Piece> {
     let tables = tables.into_iter().flat_map(|table| [Piece::Table(table), Piece::Break]);
     tables.chain([Piece::Lines(notes)]).collect()
+}
+
+/// What people read of an answer, as JSON: its `tables`, each with `headings`, `rows` and the `lead` of one that has it, and its `sentences`, a
+/// list of them before the first table and one behind each.
+pub fn read_by_people(answer: &dyn Answer) -> Value {
+    let (mut tables, mut sentences, mut behind) = (Vec::new(), Vec::new(), Vec::new());
+    for piece in answer.markdown() {
+        match piece {
+            Piece::Table(table) => {
+                tables.push(table_read(&table));
+                sentences.push(std::mem::take(&mut behind));
+            }
+            Piece::Lines(text) | Piece::Verbatim(text) => {
+                let lines = text.lines().map(str::trim).filter(|line| !line.is_empty()).map(on_one_line);
+                behind.extend(lines.map(Cow::into_owned));
+            }
+            Piece::Break => {}
+        }
+    }
+    sentences.push(behind);
+    json!({ "tables": tables, "sentences": sentences })
+}
+
+fn table_read(table: &Table) -> Value {
+    let word = |cell: &String| on_one_line(&cell.replace(['\n', '\r'], " ")).into_owned();
+    let words = |cells: &[String]| cells.iter().map(word).collect::<Vec<_>>();
+    let lead = |Lead { value, means, rests_on, rows }: &Lead| json!({ "value": word(value), "means": word(means), "rests_on": word(rests_on), "rows": rows });
+    json!({
+        "headings": words(&table.headings),
+        "rows": table.rows.iter().map(|row| words(row)).collect::<Vec<_>>(),
+        "lead": table.lead.as_ref().map(lead),
+    })
 }
 
 /// JSON with line breaks, as people can read it.

@@ -147,7 +147,7 @@ impl CalibrateAnswer {
                 None => "the arm does not reach it".into(),
             },
         ));
-        Table::of_lines(lines)
+        Table::of_lines(lines).led_by(["error", "at the work"], "how far the points are from where they should be", &[])
     }
 
     /// What every level leaves.

@@ -198,7 +198,7 @@ impl IdentifyAnswer {
             if condition.is_finite() { format!("condition {}; ", fixed(condition, 0)) } else { String::new() };
         lines.push(line("seen worst", format!("{condition}{}", self.least_seen())));
         lines.push(line("do not fit", self.outliers()));
-        Table::of_lines(lines)
+        Table::of_lines(lines).led_by(["not explained", "fit"], "not explained by the drives as found", &[])
     }
 
     /// One row per drive.

@@ -120,13 +120,28 @@ pub struct Table {
     pub spare: Vec<String>,
     /// All columns but the first are broken into lines that fit, side by side.
     pub is_broken: bool,
+    /// What of it decides, where one line does.
+    pub lead: Option<Lead>,
+}
+
+/// The line of a table that decides.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lead {
+    /// What it says.
+    pub value: String,
+    /// What that is.
+    pub means: String,
+    /// What it rests on.
+    pub rests_on: String,
+    /// The rows that say no more than a face which shows these, and the place by its keys.
+    pub rows: Vec<usize>,
 }
 
 impl Table {
     /// A table without rows.
     pub fn new<S: Into<String>>(headings: impl IntoIterator<Item = S>) -> Self {
         let headings = headings.into_iter().map(Into::into).collect();
-        Self { headings, rows: Vec::new(), keys: 1, spare: Vec::new(), is_broken: false }
+        Self { headings, rows: Vec::new(), keys: 1, spare: Vec::new(), is_broken: false, lead: None }
     }
 
     /// Names on the left, what they say on the right.
@@ -151,6 +166,21 @@ impl Table {
     #[must_use]
     pub fn with_broken_lines(self) -> Self {
         Self { is_broken: true, ..self }
+    }
+
+    /// Of names on the left and what they say on the right: the line that decides, what its value means, the line on which that rests, and
+    /// further ones that need not be repeated beside them. Without the first there is no lead.
+    #[must_use]
+    pub fn led_by(self, [decides, rests_on]: [&str; 2], means: impl Into<String>, repeated: &[&str]) -> Self {
+        let says = |name: &str| self.rows.iter().find(|row| row[0] == name).map(|row| row[1].clone());
+        let is_said = |row: &[String]| [decides, rests_on].iter().chain(repeated).any(|name| row[0] == *name);
+        let lead = says(decides).map(|value| Lead {
+            value,
+            means: means.into(),
+            rests_on: says(rests_on).unwrap_or_default(),
+            rows: (0..self.rows.len()).filter(|&row| is_said(&self.rows[row])).collect(),
+        });
+        Self { lead, ..self }
     }
 
     /// Adds a row.

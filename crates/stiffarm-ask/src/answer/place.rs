@@ -23,6 +23,10 @@ use stiffarm::place::{
 use stiffarm::robot::Robot;
 use stiffarm::task::Task;
 
+const NO_PLACE: &str = "no place";
+const SMALLEST_MARGIN: &str = "smallest margin";
+const WORST_POINT: &str = "worst point";
+
 /// The answer of `place`, with what was asked.
 #[derive(Clone, Debug)]
 pub struct PlaceAnswer {
@@ -65,7 +69,7 @@ impl PlaceAnswer {
     /// For people.
     pub fn table(&self) -> Table {
         let Self { robot, model, task, options, placed, .. } = self;
-        let mut lines = vec![line("robot", words::robot(robot)), line("stiffness", stiffness(robot))];
+        let mut lines = vec![line("robot", words::robot(robot)), line(stiffness::LINE, stiffness(robot))];
         let zone = format!("{} ({})", task.label, task.describe());
         match model {
             ModelKind::Spatial(flange_from_tool) if task.part.is_some() => {
@@ -94,13 +98,20 @@ impl PlaceAnswer {
             Placed::Infeasible { reason, is_proved, largest_scale } => {
                 let proof =
                     if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
-                lines.push(line("no place", format!("{reason}{proof}")));
+                lines.push(line(NO_PLACE, format!("{reason}{proof}")));
                 let scale = largest_scale.filter(|_| self.advice.is_none());
                 lines.extend(scale.map(|scale| line("largest zone of this shape", largest(task, scale))));
             }
         }
         lines.extend(self.advice.iter().flat_map(|found| advice::lines(found, (task, options.load))));
-        Table::of_lines(lines)
+        let best = placed.feasible();
+        let (decides, means) = best
+            .map_or((NO_PLACE, "why there is no place"), |best| (worst_label(best), "worst deflection at the place"));
+        let clearance = self.clearance().map(|clearance| words::clearance(&clearance)[0].clone());
+        let centre = best.map(|best| self.centre_label(best));
+        let repeated = ["robot", SMALLEST_MARGIN, WORST_POINT].into_iter();
+        let repeated: Vec<&str> = repeated.chain(clearance.as_deref()).chain(centre.as_deref()).collect();
+        Table::of_lines(lines).led_by([decides, stiffness::LINE], means, &repeated)
     }
 
     /// Where the deflection at the best place lies, and how likely it keeps the tolerance; `None` where nothing says how far the drives may be off.
@@ -231,27 +242,24 @@ impl PlaceAnswer {
 
     fn lines(&self, best: &Placement) -> Vec<Line> {
         let [x, z] = best.centre;
-        let (whole, centre) =
-            if best.faces.is_empty() { ("in the zone", "centre") } else { ("on the part", "middle of its underside") };
         let mut lines = vec![
-            line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
+            line(worst_label(best), format!("{:.4} mm", best.deflection * 1e3)),
             line(self.bound_label(), proof(best, &self.options)),
         ];
         lines.extend(uncertainty::told(&self.robot, self.known().map(|known| known.spread)));
-        lines
-            .extend([line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m"))]);
+        lines.push(line(self.centre_label(best), format!("x {x:.4} m, z {z:.4} m")));
         match self.options.cell {
             None => lines.extend(outside(best).map(|note| line("note", note))),
             Some(cell) => {
                 let [x, y, z] = best.in_cell(&cell).map(|part| fixed(part, 4));
-                lines.push(line(format!("{centre} in the cell"), format!("x {x} m, y {y} m, z {z} m")));
+                lines.push(line(format!("{} in the cell", centre(best)), format!("x {x} m, y {y} m, z {z} m")));
             }
         }
         match best.space() {
             None => {
                 lines.push(line("angle of the first side", degrees(best.angle)));
                 lines.push(line("elbow", best.elbow.name()));
-                let kept = |(least, of)| line("smallest margin", format!("{} ({})", degrees(least), margins::of(of)));
+                let kept = |(least, of)| line(SMALLEST_MARGIN, format!("{} ({})", degrees(least), margins::of(of)));
                 lines.extend(best.smallest_margin().map(kept));
             }
             Some(_) if !best.faces.is_empty() => {
@@ -263,7 +271,7 @@ impl PlaceAnswer {
         let [wx, wy, wz] = best.worst_point.map(|part| fixed(part, 4));
         let [near, far] = [format!("x {wx} m"), format!("z {wz} m")];
         let worst = if best.space().is_some() { format!("{near}, y {wy} m, {far}") } else { format!("{near}, {far}") };
-        lines.push(line("worst point", worst));
+        lines.push(line(WORST_POINT, worst));
         lines.extend(self.clearance().map(|clearance| words::clearance(&clearance)));
         lines.extend(best.space().into_iter().flat_map(hold_lines));
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
@@ -271,6 +279,11 @@ impl PlaceAnswer {
             lines.push(line(format!("tolerance {tolerance} mm"), says));
         }
         lines
+    }
+
+    /// What the line is called that says where it stands.
+    fn centre_label(&self, best: &Placement) -> String {
+        format!("{} from {}", centre(best), words::origin(&self.robot))
     }
 
     /// What the lower bound is called, by what it is of.
@@ -298,6 +311,16 @@ impl PlaceAnswer {
         }
         lines
     }
+}
+
+/// What the line is called that says how far the tool is pushed off.
+fn worst_label(best: &Placement) -> &'static str {
+    if best.faces.is_empty() { "worst deflection in the zone" } else { "worst deflection on the part" }
+}
+
+/// What of it stands there.
+fn centre(best: &Placement) -> &'static str {
+    if best.faces.is_empty() { "centre" } else { "middle of its underside" }
 }
 
 /// One face of a part.

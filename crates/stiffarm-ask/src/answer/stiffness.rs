@@ -6,6 +6,8 @@ use stiffarm::catalogue::microradians;
 use stiffarm::drive::{JointCompliance, Scatter};
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 
+/// The name of the line that tells it.
+pub(super) const LINE: &str = "stiffness";
 /// So many robots of one stiffness are named; more are counted.
 const MOST_NAMED: usize = 3;
 /// So many stiffnesses are told in a heading; more are counted.

@@ -97,7 +97,11 @@ impl VerifyAnswer {
             };
             lines.push(line("tool", format!("in the flange frame at {told}")));
         }
-        Table::of_lines(lines)
+        Table::of_lines(lines).led_by(
+            ["verdict", "readings"],
+            "whether the file counts the joints as they were read",
+            &[],
+        )
     }
 
     /// The ways of counting that fit best; none where the file does.

@@ -13,6 +13,9 @@ use stiffarm::limits::Pendant;
 use stiffarm::measure::{GeometryPlan, Options};
 use stiffarm::robot::Robot;
 
+/// The line that says what is left.
+const LEFT: &str = "error at the work, calibrated";
+
 /// The answer of `measure --geometry`, with what was asked.
 #[derive(Clone, Debug)]
 pub struct GeometryAnswer {
@@ -118,7 +121,7 @@ impl GeometryAnswer {
                     digits(options.posture_sigma * 1e3, 6)
                 ),
             ),
-            line("error at the work, calibrated", format!("{} expected (rms of point 1)", mm(plan.expected))),
+            line(LEFT, format!("{} expected (rms of point 1)", mm(plan.expected))),
             line(
                 "lower bound of any choice",
                 format!("{} (efficiency {} at least)", mm(plan.lower_bound), percent(plan.efficiency())),
@@ -130,7 +133,8 @@ impl GeometryAnswer {
             line("as drawn", mm(plan.as_drawn)),
         ];
         lines.push(line("mm by number of postures", by_count.collect::<Vec<_>>().join(", ")));
-        Table::of_lines(lines)
+        let means = format!("error at the work that {} measured postures leave", plan.postures.len());
+        Table::of_lines(lines).led_by([LEFT, "points are seen"], means, &[])
     }
 
     /// One row a posture.

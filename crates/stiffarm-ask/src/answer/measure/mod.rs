@@ -261,11 +261,12 @@ impl MeasureAnswer {
                 "of its compliance, one standard deviation, mean radius of the ellipsoid of their errors (D)",
             ),
         };
+        let precision = format!("precision of the {of}");
         let random = plan.lower_bound / plan.random;
         let random = if 0.0 < random { percent(random) } else { "nothing: it leaves some drive unseen".into() };
         let mut lines: Vec<Line> = vec![
             line("robot", words::robot(robot)),
-            line("stiffness", stiffness(robot)),
+            line(stiffness::LINE, stiffness(robot)),
             line("loads", format!("{} N {}", options.newtons, ways.join(", "))),
             line("work", format!("{}, {} postures", self.work, plan.work)),
             line("markers are seen", sight(options)),
@@ -278,7 +279,7 @@ impl MeasureAnswer {
                     digits(options.posture_sigma * 1e3, 6)
                 ),
             ),
-            line(format!("precision of the {of}"), format!("{} {in_words}{}", predicted(plan.value), self.undecided())),
+            line(&precision, format!("{} {in_words}{}", predicted(plan.value), self.undecided())),
             line(
                 "lower bound of any choice",
                 format!("{} (efficiency {} at least)", predicted(plan.lower_bound), percent(plan.efficiency())),
@@ -298,7 +299,8 @@ impl MeasureAnswer {
             })
             .collect();
         lines.push(line("error of the drives 1-6", errors.join(", ")));
-        Table::of_lines(lines)
+        let means = format!("precision that {} measurements give", plan.runs.len());
+        Table::of_lines(lines).led_by([&precision, stiffness::LINE], means, &[])
     }
 
     /// Where drives that no load shows decide the precision: that they do, and what would show them.

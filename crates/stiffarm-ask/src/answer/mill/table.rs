@@ -3,7 +3,7 @@
 use super::super::cell as told_cell;
 use super::super::margins;
 use super::super::path::within;
-use super::super::stiffness::stiffness;
+use super::super::stiffness::{self, stiffness};
 use super::super::verdict::HOLDS;
 use super::super::words::{degrees, percentages, robot as named, tool};
 use super::super::{Line, Table, fixed, line, uncertainty};
@@ -12,12 +12,15 @@ use stiffarm::cell::Cell;
 use stiffarm::mill::{Acting, ErrorPart, Followed, MillOptions, PathGround, PathResolution, Remaining, RollMode};
 use stiffarm::place::Within;
 
+const LARGEST_ERROR: &str = "largest error";
+const NOT_FOLLOWED: &str = "not followed";
+
 impl MillAnswer {
     /// For people.
     pub fn table(&self) -> Table {
         let mut lines: Vec<Line> = vec![
             line("robot", named(&self.robot)),
-            line("stiffness", stiffness(&self.robot)),
+            line(stiffness::LINE, stiffness(&self.robot)),
             line("tool", tool(&self.flange_from_tool)),
             line("path", self.length()),
         ];
@@ -35,11 +38,15 @@ impl MillAnswer {
         lines.push(line("keeps", self.kept()));
         lines.extend(self.place_lines());
         match self.followed() {
-            None => lines.extend(self.reason().map(|reason| line("not followed", reason))),
+            None => lines.extend(self.reason().map(|reason| line(NOT_FOLLOWED, reason))),
             Some(found) => lines.extend(self.lines(found)),
         }
         lines.extend(self.remarks.iter().map(|remark| line("note", remark)));
-        Table::of_lines(lines)
+        let (decides, means) = match self.followed() {
+            Some(_) => (LARGEST_ERROR, "largest error of the tool along the path"),
+            None => (NOT_FOLLOWED, "why the path is not followed"),
+        };
+        Table::of_lines(lines).led_by([decides, stiffness::LINE], means, &[])
     }
 
     fn length(&self) -> String {
@@ -101,7 +108,7 @@ impl MillAnswer {
         let at = if station.sample.line == 0 { String::new() } else { format!(", line {}", station.sample.line) };
         let mut lines = vec![
             line(
-                "largest error",
+                LARGEST_ERROR,
                 format!("{} at {} mm of the way{at}", mm(found.worst.0), fixed(station.sample.way * 1e3, 1)),
             ),
             line("root mean square", mm(found.rms)),
