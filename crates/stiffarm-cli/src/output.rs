@@ -112,7 +112,10 @@ pub(crate) fn verdict(delivered: Result<(), Failure>, holds: Result<(), Failure>
 }
 
 /// The form that a name asks for, where the command makes it.
-fn known(forms: Forms, path: &Path) -> Result<Form, Failure> {
+///
+/// # Errors
+/// Where it does not, with the endings of those that it makes.
+pub(crate) fn known(forms: Forms, path: &Path) -> Result<Form, Failure> {
     let unknown = || Failure::Ending { command: forms.command, path: path.into(), expected: forms.endings() };
     forms.form(path).ok_or_else(unknown)
 }

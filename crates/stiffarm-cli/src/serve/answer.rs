@@ -5,17 +5,17 @@ use std::path::Path;
 use std::sync::Arc;
 
 use hyper::StatusCode;
-use serde_json::json;
-use stiffarm_ask::ask::ask;
-use stiffarm_ask::forms::Answer;
-use stiffarm_ask::request::job;
+use serde_json::{Map, Value, json};
+use stiffarm_ask::ask::{ask, forms};
+use stiffarm_ask::forms::{Answer, read_by_people};
+use stiffarm_ask::request::{Request, Verb, job};
 
-use super::form::Form;
+use super::form::{Form, Wanted};
 use super::question::Question;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::failure::Failure;
-use crate::output::write_as;
+use crate::output::{known, write_as};
 
 /// An answer of more bytes is refused.
 const MOST_BYTES: usize = 64 << 20;
@@ -23,22 +23,79 @@ const MOST_BYTES: usize = 64 << 20;
 /// Computes the answer, and writes it.
 pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u8>, Refused> {
     let asked = &question.asked;
-    match question.form {
-        Form::Job => return Ok(job::write(asked, &[], Path::new("job.toml")).into_bytes()),
-        Form::Command => {
+    match question.wanted.forms() {
+        [Form::Job] => return Ok(job::write(asked, &[], Path::new("job.toml")).into_bytes()),
+        [Form::Command] => {
             let job = job::write(asked, &[], Path::new("job.toml"));
             let told = json!({ "command": asked.command(), "python": asked.python(), "job": job });
             return Ok(format!("{told:#}\n").into_bytes());
         }
+        [form] => check(asked, form)?,
         _ => {}
     }
     let common = question.common(client);
     let told = ask(asked, common.context())?;
-    if question.form.is_report() && !told.forms().is_reported {
-        let why = format!("{} makes no report; rank, place, mill, identify and calibrate do", asked.verb.name());
-        return Err(Failure::usage(why).into());
+    match &question.wanted {
+        Wanted::One(form) => in_form(&*told, form, asked.verb),
+        Wanted::Several(forms) => together(&*told, forms, asked),
     }
-    written(&*told, &question.form.file(asked.verb))
+}
+
+/// That such an answer has the form, before anything is computed.
+fn check(asked: &Request, form: &Form) -> Result<(), Refused> {
+    let (forms, verb) = (forms(asked), asked.verb.name());
+    let refused = |what: &str| Err(Failure::usage(format!("{verb} makes no {what}")).into());
+    match form.word() {
+        "report" | "report-pdf" if !forms.is_reported => {
+            return refused("report; rank, place, mill, modes, identify and calibrate do");
+        }
+        "shop" if !forms.is_sited => return refused("shop drawing; place and mill do"),
+        "lobes" if !forms.has_lobes => return refused("figure of lobes beside its own; mill does"),
+        _ => {}
+    }
+    if *form != Form::Tables {
+        known(forms, Path::new(&form.file(asked.verb)))?;
+    }
+    Ok(())
+}
+
+fn in_form(told: &dyn Answer, form: &Form, verb: Verb) -> Result<Vec<u8>, Refused> {
+    match form {
+        Form::Tables => Ok(format!("{:#}\n", read_by_people(told)).into_bytes()),
+        form => written(told, &form.file(verb)),
+    }
+}
+
+/// Every form under its word, null where it is refused, and why in `refused`: a path that is not followed has its table and no figure.
+fn together(told: &dyn Answer, forms: &[Form], asked: &Request) -> Result<Vec<u8>, Refused> {
+    let (mut parts, mut refused, mut length) = (Vec::new(), Map::new(), 0);
+    for form in forms {
+        let text = match check(asked, form).and_then(|()| in_form(told, form, asked.verb)) {
+            Ok(bytes) if form.is_json() => on_one_line_of_json(&bytes),
+            Ok(bytes) => json!(String::from_utf8_lossy(&bytes)).to_string(),
+            Err(why) => {
+                refused.insert(form.word().into(), why.json());
+                "null".into()
+            }
+        };
+        length += text.len();
+        if MOST_BYTES <= length {
+            return Err(too_large());
+        }
+        parts.push(format!("{}:{text}", json!(form.word())));
+    }
+    parts.push(format!("\"refused\":{}", Value::Object(refused)));
+    Ok(format!("{{{}}}\n", parts.join(",")).into_bytes())
+}
+
+/// JSON without line breaks and what stands before a line, which are no part of a value: the digits stay as they were written.
+pub(super) fn on_one_line_of_json(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).lines().map(str::trim_start).collect()
+}
+
+fn too_large() -> Refused {
+    let why = format!("the answer has more than {} MiB", MOST_BYTES >> 20);
+    Refused::new(StatusCode::UNPROCESSABLE_ENTITY, why, "ask for fewer points, or the command line")
 }
 
 /// What a file of this name would hold.
@@ -46,8 +103,7 @@ pub(super) fn written(told: &dyn Answer, name: &str) -> Result<Vec<u8>, Refused>
     let mut out = Bounded(Vec::new());
     let written = write_as(told, Path::new(name), &mut out);
     if MOST_BYTES <= out.0.len() {
-        let why = format!("the answer has more than {} MiB", MOST_BYTES >> 20);
-        return Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, why, "ask for fewer points, or the command line"));
+        return Err(too_large());
     }
     written?;
     Ok(out.0)

@@ -51,7 +51,7 @@ pub(super) fn description() -> Value {
                             program `stiffarm` writes with the same options; units are the ending of each key.",
         },
         "paths": paths,
-        "components": { "schemas": { "Answer": answer(), "Refusal": refusal() } },
+        "components": { "schemas": { "Answer": answer(), "Forms": forms(), "Tables": tables(), "Refusal": refusal() } },
     })
 }
 
@@ -78,20 +78,25 @@ fn asked(verb: Verb, about: &str) -> Value {
     }
     let form = json!({
         "name": "as", "in": "query", "schema": { "type": "string", "default": "json" },
-        "description": "The form: json, csv, md, txt, parquet; of most verbs svg, png, pdf; of place and mill shop (drawing of where the work must stand, SVG); of mill lobes (with chatter, SVG); view (3-D, HTML), report (HTML) and report-pdf, toml (robot file), src, mod, ls, \
-                        py (RoboDK), yaml (ROS 2) or nc (programs), vtp and vti (ParaView); job and command tell how the same is asked elsewhere",
+        "description": "The form: json, csv, md, txt, parquet; tables (what people read, as JSON); of most verbs svg, png, pdf; of place and mill shop (drawing of where the work must stand, SVG); of mill lobes (with chatter, SVG); view (3-D, HTML), report (HTML) and report-pdf, toml (robot file), src, mod, ls, \
+                        py (RoboDK), yaml (ROS 2) or nc (programs), vtp and vti (ParaView); job and command tell how the same is asked elsewhere. \
+                        Several texts of one answer, which is computed once, with commas: json,tables,svg",
+    });
+    let wait = json!({
+        "name": "Prefer", "in": "header", "required": false, "schema": { "type": "string" },
+        "description": "wait=SECONDS (RFC 7240): how long an answer that is no stream may take, instead of what --time-limit-s says; who hangs up stops the work",
     });
     let mut responses = refusals();
     responses["200"] = json!({
         "description": "What the program writes in this form; line by line, progress and then the answer, where application/x-ndjson is accepted",
         "headers": { "stiffarm-notes": { "description": "What the program says beside it: a JSON list of texts", "schema": { "type": "string" } } },
         "content": {
-            "application/json": { "schema": { "$ref": "#/components/schemas/Answer" } },
+            "application/json": { "schema": { "anyOf": [{ "$ref": "#/components/schemas/Answer" }, { "$ref": "#/components/schemas/Forms" }] } },
             "application/x-ndjson": { "schema": stream() },
         },
     });
     json!({
-        "summary": about, "operationId": verb.function(), "parameters": [form],
+        "summary": about, "operationId": verb.function(), "parameters": [form, wait],
         "requestBody": { "required": true, "content": { "application/json": { "schema": question } } },
         "responses": responses,
     })
@@ -274,6 +279,44 @@ fn refusals() -> Value {
         .iter()
         .map(|(status, when)| ((*status).to_owned(), json!({ "description": when, "content": content })));
     Value::Object(each.collect())
+}
+
+/// Several forms of an answer.
+fn forms() -> Value {
+    json!({
+        "type": "object", "required": ["refused"], "additionalProperties": { "type": ["string", "null"] },
+        "properties": {
+            "json": { "$ref": "#/components/schemas/Answer" }, "tables": { "$ref": "#/components/schemas/Tables" },
+            "refused": {
+                "type": "object", "additionalProperties": { "$ref": "#/components/schemas/Refusal" },
+                "description": "Why a form is null: of a path that is not followed there is a table and no figure",
+            },
+        },
+    })
+}
+
+/// What people read of an answer.
+fn tables() -> Value {
+    let words = || json!({ "type": "array", "items": { "type": "string" } });
+    let lead = json!({
+        "type": ["object", "null"], "required": ["value", "means", "rests_on", "rows"],
+        "description": "The line that decides: its value, what that is, what it rests on, and the rows that say no more than these and the keys of the place",
+        "properties": {
+            "value": { "type": "string" }, "means": { "type": "string" }, "rests_on": { "type": "string" },
+            "rows": { "type": "array", "items": { "type": "integer" } },
+        },
+    });
+    let table = json!({
+        "type": "object", "required": ["headings", "rows", "lead"],
+        "properties": { "headings": words(), "rows": { "type": "array", "items": words() }, "lead": lead },
+    });
+    json!({
+        "type": "object", "required": ["tables", "sentences"], "additionalProperties": false,
+        "properties": {
+            "tables": { "type": "array", "items": table },
+            "sentences": { "type": "array", "items": words(), "description": "One list before the first table and one behind each" },
+        },
+    })
 }
 
 fn refusal() -> Value {

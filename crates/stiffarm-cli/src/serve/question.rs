@@ -10,10 +10,11 @@ use stiffarm::plain::on_one_line;
 use stiffarm_ask::request::{Request, Spelling, Verb, sent};
 
 use super::bounds;
-use super::form::Form;
+use super::form::{Form, Wanted};
 use super::reply::Refused;
 use crate::client::Client;
 use crate::common::Common;
+use crate::failure::Failure;
 use stiffarm_ask::sources::Sources;
 
 /// A question that was understood.
@@ -21,12 +22,12 @@ use stiffarm_ask::sources::Sources;
 pub(super) struct Question {
     pub(super) asked: Request,
     pub(super) files: BTreeMap<String, String>,
-    pub(super) form: Form,
+    pub(super) wanted: Wanted,
 }
 
 impl Question {
     /// Reads a body.
-    pub(super) fn read(verb: Verb, form: Form, body: &[u8]) -> Result<Self, Refused> {
+    pub(super) fn read(verb: Verb, wanted: Wanted, body: &[u8]) -> Result<Self, Refused> {
         let mut told = object(body)?;
         let (options, files) = (told.remove("options"), told.remove("files"));
         if let Some(other) = told.keys().next() {
@@ -42,11 +43,11 @@ impl Question {
             Some(Value::Object(files)) => texts(files)?,
             Some(_) => return Err(unlike("'files' is no object")),
         };
-        let refused = |refusal| Refused::from(crate::failure::Failure::from(refusal));
+        let refused = |refusal| Refused::from(Failure::from(refusal));
         let pairs = sent(verb, &options).map_err(refused)?;
         let asked = Request::of_task(verb, &pairs, Spelling::Sent).map_err(refused)?;
         asked.check_complete().map_err(refused)?;
-        let question = Self { asked, files, form };
+        let question = Self { asked, files, wanted };
         bounds::check(&question.asked)?;
         Ok(question)
     }
@@ -117,21 +118,29 @@ pub(super) fn decoded(text: &str) -> Result<String, Refused> {
     text.map_err(wrong)
 }
 
-/// The form that an address asks for, and nothing besides.
-pub(super) fn form_of(text: Option<&str>) -> Result<Form, Refused> {
+/// The forms that an address asks for, and nothing besides.
+pub(super) fn wanted_of(text: Option<&str>) -> Result<Wanted, Refused> {
     let wrong = |why: String| {
         Refused::new(
             StatusCode::BAD_REQUEST,
             why,
-            "?as=json, csv, md, txt, svg, png, pdf, shop, lobes, view, report, report-pdf, job or command",
+            "?as=json, csv, md, txt, tables, svg, png, pdf, shop, lobes, view, report, report-pdf, job or command; several texts of one answer: ?as=json,tables,svg",
         )
     };
-    let mut form = Form::File("json".into());
+    let mut wanted = Wanted::One(Form::File("json".into()));
     for (name, value) in query(text)? {
         if name != "as" {
             return Err(wrong(format!("'{}' is nothing that an address asks here", on_one_line(&name))));
         }
-        form = Form::of(&value).ok_or_else(|| wrong(format!("as={} is no form of an answer", on_one_line(&value))))?;
+        wanted = Wanted::of(&value).map_err(wrong)?;
     }
-    Ok(form)
+    Ok(wanted)
+}
+
+/// The one form that an address asks for.
+pub(super) fn form_of(text: Option<&str>) -> Result<Form, Refused> {
+    match wanted_of(text)? {
+        Wanted::One(form) => Ok(form),
+        Wanted::Several(_) => Err(Failure::usage("robots come in one form at a time").into()),
+    }
 }

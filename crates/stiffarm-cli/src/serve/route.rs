@@ -6,14 +6,14 @@ use std::time::Duration;
 use http_body_util::{BodyExt, LengthLimitError, Limited};
 use hyper::body::{Body, Incoming};
 use hyper::header::ACCEPT;
-use hyper::{Method, Request, StatusCode};
+use hyper::{HeaderMap, Method, Request, StatusCode};
 use stiffarm_ask::request::Verb;
 use tokio::time::timeout;
 
 use super::admission::{admit, is_json};
 use super::answer::answered;
-use super::form::Form;
-use super::question::{Question, form_of, unlike};
+use super::form::Wanted;
+use super::question::{Question, unlike, wanted_of};
 use super::reply::{Refused, Reply, guarded, keep_as, note, reply};
 use super::work::{Patience, aside};
 use super::{Server, job, openapi, options, page, robots, stream, view};
@@ -56,7 +56,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
                 Verb::JOBS.into_iter().find(|verb| address(*verb) == name)
             };
             match (verb("/api/"), verb("/view/")) {
-                (Some(verb), _) => answer(server, verb, form_of(asked.as_deref())?, request).await,
+                (Some(verb), _) => answer(server, verb, wanted_of(asked.as_deref())?, request).await,
                 // Any page may have a browser read an address, in a picture say: what reads computes little.
                 (_, Some(_)) if *request.method() != Method::POST => Err(Refused::method("POST")),
                 (_, Some(verb)) => view::posted(server, verb, body(request).await?).await,
@@ -117,22 +117,30 @@ fn large() -> Refused {
 }
 
 /// The answer of a verb, at once or line by line.
-async fn answer(server: &Arc<Server>, verb: Verb, form: Form, request: Request<Incoming>) -> Result<Reply, Refused> {
+async fn answer(
+    server: &Arc<Server>,
+    verb: Verb,
+    wanted: Wanted,
+    request: Request<Incoming>,
+) -> Result<Reply, Refused> {
     let accepts = request.headers().get_all(ACCEPT).iter().filter_map(|kinds| kinds.to_str().ok());
     let is_stream = accepts.flat_map(|kinds| kinds.split(',')).any(|kind| kind.trim().starts_with(stream::KIND));
+    let wait = wait_of(request.headers());
     let body = posted(request).await?;
-    let question = aside(move || Question::read(verb, form, &body)).await?;
+    let question = aside(move || Question::read(verb, wanted, &body)).await?;
     if is_stream {
-        if !question.form.is_text() {
+        if !question.wanted.is_text() {
             let why = "a picture does not come line by line";
-            return Err(Refused::new(StatusCode::BAD_REQUEST, why, "ask for it without Accept: application/x-ndjson"));
+            let hint =
+                "ask for it without Accept: application/x-ndjson, and with Prefer: wait=SECONDS where it takes long";
+            return Err(Refused::new(StatusCode::BAD_REQUEST, why, hint));
         }
         return Ok(stream::stream(Arc::clone(&server.workshop), server.workshop.line_up(Patience::Long)?, question));
     }
-    let (kind, is_json) = (question.form.media_type(), question.form.is_json());
+    let (kind, is_json) = (question.wanted.media_type(), question.wanted.is_json());
     // Of a task that is a toolpath mill is asked.
-    let name = question.form.file(question.asked.verb);
-    let (bytes, notes) = computed(server, move |client| answered(&question, client)).await?;
+    let name = question.wanted.forms()[0].file(question.asked.verb);
+    let (bytes, notes) = within(server, wait, move |client| answered(&question, client)).await?;
     let mut told = reply(bytes, kind);
     if !is_json {
         keep_as(&mut told, &name);
@@ -141,18 +149,36 @@ async fn answer(server: &Arc<Server>, verb: Verb, form: Form, request: Request<I
     Ok(told)
 }
 
-/// Computes something in time; with what was said beside it.
+/// How long somebody says to wait: `Prefer: wait=600` (RFC 7240).
+fn wait_of(headers: &HeaderMap) -> Option<Duration> {
+    let preferences = headers.get_all("prefer").iter().filter_map(|said| said.to_str().ok());
+    let seconds = preferences.flat_map(|said| said.split([',', ';'])).find_map(|one| one.trim().strip_prefix("wait="));
+    // What is not understood is ignored, as the standard has it.
+    seconds?.trim().parse().ok().map(Duration::from_secs)
+}
+
+/// Computes something in the time that every question has; with what was said beside it.
 pub(super) async fn computed(
     server: &Arc<Server>,
     work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
 ) -> Result<(Vec<u8>, Vec<String>), Refused> {
+    within(server, None, work).await
+}
+
+/// The same for somebody who waits so long; who hangs up before stops the work.
+async fn within(
+    server: &Arc<Server>,
+    wait: Option<Duration>,
+    work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
+) -> Result<(Vec<u8>, Vec<String>), Refused> {
     let client = Arc::new(Client::waiting());
-    let place = server.workshop.line_up(Patience::Short)?;
+    let place = server.workshop.line_up(if wait.is_some() { Patience::Long } else { Patience::Short })?;
+    let limit = wait.unwrap_or(server.time_limit);
     let late = |_| {
-        let why = format!("there was no answer after {} s", server.time_limit.as_secs());
-        let hint = "ask with Accept: application/x-ndjson: then it may take as long as somebody waits, and tells how far it is";
+        let why = format!("there was no answer after {} s", limit.as_secs());
+        let hint = "ask with Accept: application/x-ndjson: then it may take as long as somebody waits, and tells how far it is; or with Prefer: wait=SECONDS";
         Refused::new(StatusCode::GATEWAY_TIMEOUT, why, hint)
     };
-    let found = timeout(server.time_limit, server.workshop.work(place, Arc::clone(&client), work)).await;
+    let found = timeout(limit, server.workshop.work(place, Arc::clone(&client), work)).await;
     Ok((found.map_err(late)??, client.remarks()))
 }

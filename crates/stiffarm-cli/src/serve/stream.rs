@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use tokio::sync::mpsc::{Receiver, Sender, channel};
 use tokio::time::interval;
 
-use super::answer::answered;
+use super::answer::{answered, on_one_line_of_json};
 use super::question::Question;
 use super::reply::{Refused, Reply};
 use super::work::{Place, Workshop};
@@ -51,7 +51,7 @@ pub(super) fn stream(workshop: Arc<Workshop>, place: Place, question: Question) 
 /// Works, and tells how far it is, until there is an answer, or nobody reads.
 async fn follow(workshop: Arc<Workshop>, place: Place, question: Question, lines: Sender<Bytes>) {
     let client = Arc::new(Client::waiting());
-    let is_json = question.form.is_json();
+    let is_json = question.wanted.is_json();
     let mut work = pin!(workshop.work(place, Arc::clone(&client), move |client| answered(&question, client)));
     let mut ticks = interval(PAUSE);
     let mut last: Option<Far> = None;
@@ -95,9 +95,7 @@ fn last_line(found: Result<Vec<u8>, Refused>, is_json: bool, notes: &[String]) -
             return line(&told);
         }
     };
-    let text = String::from_utf8_lossy(&bytes);
     let notes = json!(notes);
-    // Line breaks and what stands before a line are no part of a value: the digits stay as they were written.
-    let answer = if is_json { text.lines().map(str::trim_start).collect() } else { json!(text).to_string() };
+    let answer = if is_json { on_one_line_of_json(&bytes) } else { json!(String::from_utf8_lossy(&bytes)).to_string() };
     format!("{{\"answer\":{answer},\"notes\":{notes}}}\n").into()
 }

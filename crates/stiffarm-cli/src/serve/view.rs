@@ -9,11 +9,11 @@ use stiffarm_ask::request::Verb;
 
 use super::Server;
 use super::answer::answered;
-use super::form::Form;
+use super::form::{Form, Wanted};
 use super::question::{Question, query};
 use super::reply::{Refused, Reply, reply};
-use super::route::computed;
-use super::work::aside;
+use super::work::{Patience, aside};
+use crate::client::Client;
 
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:; \
                       connect-src 'none'; sandbox allow-scripts; frame-ancestors 'self'";
@@ -23,7 +23,10 @@ const QUESTION: &str = "question";
 /// A form that is posted: `question=` and the JSON that [`Question`] reads.
 pub(super) async fn posted(server: &Arc<Server>, verb: Verb, body: Vec<u8>) -> Result<Reply, Refused> {
     let question = aside(move || read(verb, &body)).await?;
-    let (bytes, _) = computed(server, move |client| answered(&question, client)).await?;
+    let place = server.workshop.line_up(Patience::Long)?;
+    let client = Arc::new(Client::waiting());
+    // As long as somebody waits: a frame is no stream, and whoever leaves it hangs up.
+    let bytes = server.workshop.work(place, client, move |client| answered(&question, client)).await?;
     let mut page = reply(bytes, Form::View.media_type());
     page.headers_mut().insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
     Ok(page)
@@ -36,7 +39,7 @@ fn read(verb: Verb, body: &[u8]) -> Result<Question, Refused> {
     if name != QUESTION {
         return Err(unlike());
     }
-    Question::read(verb, Form::View, text.as_bytes())
+    Question::read(verb, Wanted::One(Form::View), text.as_bytes())
 }
 
 fn unlike() -> Refused {

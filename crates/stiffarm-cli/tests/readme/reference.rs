@@ -277,6 +277,8 @@ curl -s http://127.0.0.1:PORT/api/place -H 'Content-Type: application/json' \
 ```
 
 With `Accept: application/x-ndjson` the answer comes line by line and tells its progress first; closing the connection stops the work.
+`?as=json,tables,svg` asks for several texts of one answer, which is computed once and comes as an object with a key for each: `tables` is what people read,
+as JSON. A file that takes longer than `--time-limit-s` is asked with `Prefer: wait=SECONDS`.
 "#;
 
 /// Every page that is written here, by its file.

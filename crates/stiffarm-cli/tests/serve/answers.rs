@@ -139,6 +139,103 @@ fn files_pictures_and_programs_come_as_the_command_line_writes_them() {
     }
 }
 
+/// Every form is what it is alone, figures that are not there are said, and what people read has the words of the table.
+#[test]
+fn several_forms_come_of_one_answer() {
+    let served = Served::start(&[]);
+    let place = json!({ "options": { "robot": "BT200L", "task": "circle:0.3", "tolerance-mm": 2 } });
+    let several = served.ask("/api/place?as=json,tables,svg,shop,md", &place);
+    assert_eq!((several.status, several.header("content-type")), (200, Some("application/json")), "{}", several.text());
+    let together = several.json();
+    let alone = |form: &str| served.ask(&format!("/api/place?as={form}"), &place);
+    assert_eq!(together["json"], alone("json").json());
+    assert_eq!(together["tables"], alone("tables").json());
+    for form in ["svg", "shop", "md"] {
+        assert_eq!(together[form], alone(form).text(), "{form}");
+    }
+    assert_eq!(together["refused"], json!({}));
+
+    let sheet = &together["tables"]["tables"][0];
+    let (rows, lead) = (sheet["rows"].as_array().unwrap(), &sheet["lead"]);
+    let says = |name: &str| rows.iter().find(|row| row[0] == name).map(|row| row[1].clone()).unwrap();
+    assert_eq!(lead["value"], says("worst deflection in the zone"));
+    assert_eq!(lead["rests_on"], says("stiffness"));
+    let repeated = lead["rows"].as_array().unwrap().iter().map(|row| rows[row.as_u64().unwrap() as usize][0].as_str());
+    let repeated: Vec<&str> = repeated.map(Option::unwrap).collect();
+    assert_eq!(
+        repeated,
+        [
+            "robot",
+            "stiffness",
+            "worst deflection in the zone",
+            "centre from the base",
+            "smallest margin",
+            "worst point",
+            "clearance"
+        ]
+    );
+    let markdown = together["md"].as_str().unwrap();
+    assert!(rows.iter().all(|row| markdown.contains(row[1].as_str().unwrap())), "{markdown}");
+
+    let nowhere = json!({ "options": { "robot": "BT200L", "task": "circle:3" } });
+    let none = served.ask("/api/place?as=json,tables,svg", &nowhere).json();
+    assert_eq!((&none["json"]["feasible"], &none["svg"]), (&json!(false), &Value::Null));
+    assert_eq!(none["refused"]["svg"], served.ask("/api/place?as=svg", &nowhere).json());
+    assert_eq!(none["tables"]["tables"][0]["lead"]["means"], "why there is no place");
+
+    for (wrong, why) in [
+        ("json,png", "png is asked alone"),
+        ("json,command", "command is asked alone"),
+        ("svg,json,svg", "has svg twice"),
+        ("json,", "as= is no form"),
+    ] {
+        let refused = served.ask(&format!("/api/place?as={wrong}"), &place);
+        assert!(refused.status == 400 && refused.text().contains(why), "{wrong}: {}", refused.text());
+    }
+    // What a verb never makes is refused as what it cannot make this time; alone before anything is computed.
+    let map = json!({ "options": { "robot": "BT200L", "size": 10 } });
+    let several = served.ask("/api/map?as=tables,shop,toml,report", &map).json();
+    for (form, why) in [("shop", "map makes no shop drawing"), ("toml", "map.toml"), ("report", "map makes no report")]
+    {
+        let alone = served.ask(&format!("/api/map?as={form}"), &map);
+        assert_eq!((alone.status, &several[form]), (400, &Value::Null));
+        assert_eq!(several["refused"][form], alone.json());
+        assert!(alone.text().contains(why), "{}", alone.text());
+    }
+}
+
+/// Every view of the page shows a number that decides.
+#[test]
+fn a_table_that_decides_says_which_line_does() {
+    let served = Served::start(&[]);
+    let measured = include_str!("../../../../docs/examples/fanuc_r2000ic.csv");
+    let measure = json!({ "robot": "KR 210 R2700 extra", "runs": 8, "candidates": 200 });
+    let geometry = json!({ "robot": "KR 210 R2700 extra", "geometry": true, "runs": 10, "candidates": 100 });
+    let mill = json!({ "path": "line:0.2", "robot": "BT200L", "force-n": 300, "at": [1.6, 0, 0.8], "step-mm": 20 });
+    let far = json!({ "path": "line:0.2", "robot": "BT200L", "force-n": 300, "at": [9, 0, 0.8], "step-mm": 20 });
+    for (verb, options, name, means) in [
+        ("mill", mill, "largest error", "largest error of the tool along the path"),
+        ("mill", far, "not followed", "why the path is not followed"),
+        ("measure", measure, "precision of the prediction", "precision that 8 measurements give"),
+        ("measure", geometry, "error at the work, calibrated", "error at the work that 10 measured postures leave"),
+        (
+            "identify",
+            json!({ "data": "data.csv", "robot": "R-2000iC/165F" }),
+            "not explained",
+            "not explained by the drives as found",
+        ),
+    ] {
+        let question = json!({ "options": options, "files": { "data.csv": measured } });
+        let told = served.ask(&format!("/api/{verb}?as=tables"), &question);
+        assert_eq!(told.status, 200, "{verb}: {}", told.text());
+        let sheet = &told.json()["tables"][0];
+        let row = sheet["rows"].as_array().unwrap().iter().find(|row| row[0] == name);
+        assert_eq!(row.map(|row| &row[1]), Some(&sheet["lead"]["value"]), "{sheet:#}");
+        assert_eq!(sheet["lead"]["means"], means);
+        assert_ne!(sheet["lead"]["rests_on"], "", "{verb}");
+    }
+}
+
 #[test]
 fn what_the_program_says_beside_an_answer_comes_along() {
     let served = Served::start(&[]);

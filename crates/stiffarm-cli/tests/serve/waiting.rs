@@ -5,6 +5,7 @@ use std::thread;
 use std::time::Duration;
 
 use assert_cmd::Command;
+use percent_encoding::NON_ALPHANUMERIC;
 use serde_json::{Value, json};
 
 use super::served::Served;
@@ -90,6 +91,55 @@ fn an_answer_that_takes_too_long_is_broken_off_and_the_same_goes_on_in_a_stream(
     );
     let last: Value = serde_json::from_str(refused.text().lines().last().unwrap()).unwrap();
     assert!(last["error"].as_str().unwrap().contains("not known") && last["status"] == 422, "{last}");
+}
+
+/// Longer than a question may take that is no stream: everything that the page shows of an answer comes of the one computation, and so do its files
+/// and its view, for which somebody says to wait.
+#[test]
+fn an_answer_that_takes_longer_than_the_limit_arrives_whole() {
+    let served = Served::start(&[]);
+    let place = json!({ "options": { "robot": "BT200L", "task": "rect:0.3x0.2", "model": "spatial" } });
+    let hurried = served.post("/api/place?as=svg", "Prefer: wait=0\r\n", &place.to_string());
+    assert_eq!(hurried.status, 504, "{}", hurried.text());
+    let lines = served.post("/api/place?as=json,tables,svg", "Accept: application/x-ndjson\r\n", &place.to_string());
+    let last: Value = serde_json::from_str(lines.text().lines().last().unwrap()).unwrap();
+    let answer = &last["answer"];
+    assert!(answer["json"]["feasible"] == true && answer["svg"].as_str().unwrap().starts_with("<svg"), "{last}");
+    assert!(answer["tables"]["tables"][0]["lead"]["value"].as_str().unwrap().ends_with(" mm"), "{last}");
+    let patient =
+        |form: &str| served.post(&format!("/api/place?as={form}"), "Prefer: wait=600\r\n", &place.to_string());
+    assert_eq!(patient("png").body[..4], *b"\x89PNG");
+    assert_eq!(patient("svg").text(), answer["svg"].as_str().unwrap());
+    let form = |place: &Value| {
+        format!("question={}", percent_encoding::utf8_percent_encode(&place.to_string(), NON_ALPHANUMERIC))
+    };
+    let view = served.post("/view/place", "Content-Type: application/x-www-form-urlencoded\r\n", &form(&place));
+    assert_eq!((view.status, view.header("content-type")), (200, Some("text/html; charset=utf-8")), "{}", view.head);
+}
+
+/// Who waits for a file as long as it takes, and hangs up, frees the worker as who leaves a stream does.
+#[test]
+fn who_hangs_up_on_a_file_frees_the_worker() {
+    let served = Served::start(&["--threads", "1"]);
+    let file = served.question("/api/rank?as=svg", "Prefer: wait=86400\r\n", &long().to_string());
+    let short = json!({ "options": { "robot": "BT200L", "task": "circle:0.3" } }).to_string();
+    let is_full = || served.post("/api/place", "Accept: application/x-ndjson\r\n", &short).status == 503;
+    let soon = |holds: &dyn Fn() -> bool| {
+        (0..1200).any(|_| {
+            thread::sleep(Duration::from_millis(50));
+            holds()
+        })
+    };
+    // As many as there are places for long work.
+    let send = |_| {
+        let mut stream = served.connect();
+        stream.write_all(file.as_bytes()).unwrap();
+        stream
+    };
+    let waiting: Vec<_> = (0..9).map(send).collect();
+    assert!(soon(&is_full), "there is room for more");
+    drop(waiting);
+    assert!(soon(&|| !is_full()), "the worker is not free");
 }
 
 #[test]
