@@ -18,9 +18,9 @@ function refusal(told) {
   return new Refusal(error ?? "the server gave no reason", hint ?? "");
 }
 
-/** @param {string} path @param {unknown} body @param {AbortSignal | undefined} signal @param {string} accept */
-async function post(path, body, signal, accept = "*/*") {
-  const headers = { "Content-Type": "application/json", Accept: accept };
+/** @param {string} path @param {unknown} body @param {AbortSignal | undefined} signal @param {Record<string, string>} [more] */
+async function post(path, body, signal, more = {}) {
+  const headers = { "Content-Type": "application/json", ...more };
   const reply = await reached(fetch(path, { method: "POST", headers, body: JSON.stringify(body), signal: signal ?? null }));
   if (!reply.ok) throw refusal(await reply.json().catch(() => ({ error: `the server answered ${reply.status}` })));
   return reply;
@@ -51,22 +51,22 @@ export async function call(path, body) {
 /** Where a verb is asked. @param {string} verb */
 export const addressOf = (verb) => `/api/${verb.replaceAll(" ", "/")}`;
 
-/** The answer in one format. @param {string} verb @param {Question} question @param {string} as @param {AbortSignal} [signal] */
-export async function written(verb, question, as, signal) {
-  return post(`${addressOf(verb)}?as=${as}`, question, signal);
-}
-
 /** The fields of the answer. @param {string} verb @param {Question} question @param {AbortSignal} [signal] @returns {Promise<any>} */
 export async function fields(verb, question, signal) {
   return (await post(addressOf(verb), question, signal)).json();
 }
 
+/** An answer as a file, however long it takes. @param {string} verb @param {Question} question @param {string} as */
+export async function written(verb, question, as) {
+  return post(`${addressOf(verb)}?as=${as}`, question, undefined, { Prefer: `wait=${24 * 3600}` });
+}
+
 /**
- * The fields of an answer that takes long, which tells how far it is.
- * @param {string} verb @param {Question} question @param {AbortSignal} signal @param {(at: Progress) => void} tell @returns {Promise<any>}
+ * Forms of an answer that may take long, which tells how far it is.
+ * @param {string} verb @param {Question} question @param {string} as @param {AbortSignal} [signal] @param {(at: Progress) => void} [tell] @returns {Promise<any>}
  */
-export async function watched(verb, question, signal, tell) {
-  const reply = await post(addressOf(verb), question, signal, "application/x-ndjson");
+async function watched(verb, question, as, signal, tell) {
+  const reply = await post(`${addressOf(verb)}?as=${as}`, question, signal, { Accept: "application/x-ndjson" });
   if (!reply.body) throw refusal(null);
   const reader = reply.body.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
@@ -77,12 +77,30 @@ export async function watched(verb, question, signal, tell) {
     rest = done ? "" : (lines.pop() ?? "");
     for (const line of lines.filter((line) => line.trim() !== "")) {
       const told = JSON.parse(line);
-      if (told.progress) tell(told.progress);
+      if (told.progress) tell?.(told.progress);
       else if ("answer" in told) return told.answer;
       else throw refusal(told);
     }
     if (done) throw new Refusal("the answer broke off", "");
   }
+}
+
+/** What was asked last of each verb, and what it was answered. @type {Map<string, {of: string, forms: any}>} */
+const last = new Map();
+
+/**
+ * Several forms of one answer, which is computed once: who looks at another of its pictures asks nothing again. A form is null where there is nothing to show.
+ * @param {string} verb @param {Question} question @param {string[]} wanted @param {AbortSignal} [signal] @param {(at: Progress) => void} [tell] @returns {Promise<any>}
+ */
+export async function forms(verb, question, wanted, signal, tell) {
+  const of = JSON.stringify(question);
+  const kept = last.get(verb);
+  if (kept?.of === of && wanted.every((form) => form in kept.forms)) return kept.forms;
+  // One alone would come by itself, and not under its name.
+  const words = wanted.length === 1 ? [...wanted, "tables"] : wanted;
+  const answer = await watched(verb, question, words.join(","), signal, tell);
+  last.set(verb, { of, forms: answer });
+  return answer;
 }
 
 /** Runs one task at a time: a new one cancels the one before, which then yields nothing. */

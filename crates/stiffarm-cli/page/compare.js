@@ -1,10 +1,11 @@
 // Which of two setups is better? Two robots side by side, on one scale.
 
-import { Refusal, written } from "./ask.js";
+import { Refusal, forms } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { change, question, value } from "./state.js";
-import { list, read, words } from "./told.js";
+import { list, words } from "./told.js";
+import { progress } from "./work.js";
 
 /** @returns {string[]} */
 export const setups = () => value("setups").split("|").filter((name) => name !== "");
@@ -40,11 +41,10 @@ export class Comparison {
       return;
     }
     try {
-      const [svg, markdown] = await Promise.all(["svg", "md"].map(async (as) => (await written("compare", this.question(), as, signal)).text()));
+      const { svg, tables: told } = await forms("compare", this.question(), ["tables", "svg"], signal, progress);
       const picture = new Picture(`maps of ${a} and ${b} on one scale`);
       await picture.show(svg ?? "");
-      const told = read(markdown ?? "");
-      const sheets = told.sheets.map((sheet) => el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "two setups" }, [list(sheet)]));
+      const sheets = told.tables.map((/** @type {import("./told.js").Sheet} */ sheet) => el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "two setups" }, [list(sheet)]));
       const take = takeaway(() => ({ verb: "compare", question: this.question() }), [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["CSV", "csv"], ["JSON", "json"]]);
       this.box.replaceChildren(...head, words(told.sentences.flat(), "verdict says"), picture.image, ...sheets, take);
       this.told = now;

@@ -66,13 +66,13 @@ export function spotUnder(over, scale, event) {
   return { x: scale.x((event.clientX - box.left) * per), z: scale.z((event.clientY - box.top) * per) };
 }
 
-/** @param {Asked} asked @param {string} as @param {string} [ending] */
-async function download({ verb, question }, as, ending = as) {
+/** @param {Asked} asked @param {string} as */
+async function download({ verb, question }, as) {
   try {
     const reply = await written(verb, question, as);
-    const named = /filename="?([^";]+)"?/.exec(reply.headers.get("Content-Disposition") ?? "")?.[1];
-    save(await reply.blob(), named ?? `${verb}.${ending}`);
-    say(`${named ?? verb} is downloaded`);
+    const named = /filename="?([^";]+)"?/.exec(reply.headers.get("Content-Disposition") ?? "")?.[1] ?? `${verb}.${as}`;
+    save(await reply.blob(), named);
+    say(`${named} is downloaded`);
   } catch (fault) {
     tellFault(fault);
   }
@@ -84,7 +84,7 @@ export function tellFault(fault) {
   byId("fault").textContent = words;
 }
 
-/** What can be taken away of an answer. @param {() => Asked} asked @param {[string, string, string?][]} kinds label, format, ending */
+/** What can be taken away of an answer. @param {() => Asked} asked @param {[string, string][]} kinds label and form */
 export function takeaway(asked, kinds) {
   const box = el("div", { class: "takeaway" });
   const code = el("div", { class: "code" });
@@ -98,7 +98,7 @@ export function takeaway(asked, kinds) {
     }
   };
   box.append(el("h2", {}, ["Take it along"]));
-  const buttons = kinds.map(([label, as, ending]) => button(label, () => download(asked(), as, ending), { "aria-label": `download ${label}` }));
+  const buttons = kinds.map(([label, as]) => button(label, () => download(asked(), as), { "aria-label": `download ${label}` }));
   box.append(el("div", { class: "buttons" }, [...buttons, button("as command, as Python", show)]), code);
   return box;
 }

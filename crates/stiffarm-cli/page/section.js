@@ -1,6 +1,6 @@
 // What does the section map show, and which value lies under the pointer?
 
-import { Newest, Refusal, fields, written } from "./ask.js";
+import { Newest, fields, forms } from "./ask.js";
 import { el } from "./dom.js";
 import { Picture, boxOf, scaleOf, spotUnder } from "./figure.js";
 import { question, value } from "./state.js";
@@ -72,14 +72,9 @@ export class Section {
     return { x: scale.x(scale.width * 0.55), z: scale.z(scale.height * 0.5) };
   }
 
-  /** The figure with arm and zone, or where there is no place the map alone. @param {AbortSignal} signal */
-  async drawn(signal) {
-    try {
-      return await (await written("place", question("place"), "svg", signal)).text();
-    } catch (fault) {
-      if (!(fault instanceof Refusal)) throw fault;
-      return (await written("map", mapped(), "svg", signal)).text();
-    }
+  /** The map alone, where there is no place to draw. @param {AbortSignal} signal @returns {Promise<string>} */
+  async map(signal) {
+    return (await forms("map", mapped(), ["svg"], signal)).svg ?? "";
   }
 
   /** Values under the pointer, from a grid that is asked when the pointer first comes. @param {PointerEvent} event */

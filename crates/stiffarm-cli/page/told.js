@@ -1,41 +1,10 @@
-// How are the words of an answer shown? Its tables and sentences are read as the library wrote them.
+// How are the words of an answer shown? Its tables and sentences come as the library has them.
 
 import { button, el, say } from "./dom.js";
 
-/** @typedef {{head: string[], body: string[][]}} Sheet */
-/** @typedef {{sheets: Sheet[], sentences: string[][]}} Told sentences: one list before the first table and one behind every table */
-
-/** @param {string} text */
-const plain = (text) => text.replace(/\\([\\`*_[\]|~<>#])/g, "$1").trim();
-
-/** @param {string} line */
-const cells = (line) => line.replace(/^\||\|\s*$/g, "").split(/(?<!\\)\|/).map(plain);
-
-/** @param {string} markdown @returns {Told} */
-export function read(markdown) {
-  /** @type {Told} */
-  const told = { sheets: [], sentences: [[]] };
-  /** @type {Sheet | undefined} */
-  let sheet;
-  for (const line of markdown.split("\n")) {
-    if (!line.startsWith("|")) {
-      sheet = undefined;
-      if (line.trim() !== "") told.sentences.at(-1)?.push(plain(line));
-    } else if (!sheet) {
-      sheet = { head: cells(line), body: [] };
-      told.sheets.push(sheet);
-      told.sentences.push([]);
-    } else if (!/^\|[-:| ]+\|?$/.test(line)) {
-      sheet.body.push(cells(line));
-    }
-  }
-  return told;
-}
-
-/** What a sheet of two columns says under a label. @param {Sheet | undefined} sheet @param {RegExp} label */
-export function under(sheet, label) {
-  return sheet?.body.find(([name = ""]) => label.test(name))?.[1] ?? "";
-}
+/** @typedef {{value: string, means: string, rests_on: string, rows: number[]}} Lead the line that decides, and the rows that say no more */
+/** @typedef {{headings: string[], rows: string[][], lead?: Lead | null}} Sheet */
+/** @typedef {{tables: Sheet[], sentences: string[][]}} Told sentences: one list before the first table and one behind every table */
 
 /** Fails are marked, and nothing else is red. @param {string} text */
 function marked(text) {
@@ -52,15 +21,15 @@ function copies(text) {
   return { click: press, title: "click copies" };
 }
 
-/** Labels and what is said of them, but for what is told elsewhere. @param {Sheet} sheet @param {RegExp} [but] */
-export function list(sheet, but) {
+/** Labels and what is said of them, but for what its lead says. @param {Sheet} sheet */
+export function list(sheet) {
   const table = el("table", { class: "told" });
-  for (const [label = "", ...rest] of sheet.body) {
-    if (but?.test(label)) continue;
+  for (const [row, [label = "", ...rest]] of sheet.rows.entries()) {
+    if (sheet.lead?.rows.includes(row)) continue;
     table.append(el("tr", {}, [el("th", { scope: "row" }, [label]), ...rest.map((text) => el("td", copies(text), marked(text)))]));
   }
-  if (sheet.head.some((name) => name !== "")) {
-    table.prepend(el("thead", {}, [el("tr", {}, sheet.head.map((name) => el("th", { scope: "col" }, [name])))]));
+  if (sheet.headings.some((name) => name !== "")) {
+    table.prepend(el("thead", {}, [el("tr", {}, sheet.headings.map((name) => el("th", { scope: "col" }, [name])))]));
   }
   return table;
 }
@@ -71,13 +40,13 @@ export function list(sheet, but) {
  */
 export function sortable(sheet, caption, act) {
   const body = el("tbody");
-  const rows = sheet.body.map((cells, index) => {
+  const rows = sheet.rows.map((cells, index) => {
     const row = el("tr", {}, cells.map((text) => el("td", copies(text), marked(text))));
     if (act) row.append(el("td", { class: "acts" }, act(index)));
     return { cells, row };
   });
   body.append(...rows.map(({ row }) => row));
-  const heads = sheet.head.map((name, column) => {
+  const heads = sheet.headings.map((name, column) => {
     const head = el("th", { scope: "col" });
     head.append(button(name, () => sort(column, head)));
     return head;

@@ -1,11 +1,11 @@
 // Does the file speak as the pendant does, and where does this very arm stand? Two tables, what follows of each, and the robot file.
 
-import { fields, watched, written } from "./ask.js";
+import { forms } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { useRobot } from "./open.js";
 import { question, value } from "./state.js";
-import { list, read, sortable, under, verdict, words } from "./told.js";
+import { list, sortable, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
 const READINGS = "verify.data";
@@ -43,16 +43,15 @@ async function verified(signal) {
   pendant.replaceChildren();
   if (value(READINGS) === "") return [];
   const now = question(VERIFY);
-  const answer = await watched(VERIFY, now, signal, progress);
-  const told = read(await (await written(VERIFY, now, "md", signal)).text());
+  const { json: answer, tables: told } = await forms(VERIFY, now, ["json", "tables"], signal, progress);
   // Of all robots there is the table of them alone.
   const isOfOne = "robot" in answer;
-  const about = isOfOne ? told.sheets[0] : undefined;
-  const fits = told.sheets[isOfOne ? 1 : 0];
+  const about = isOfOne ? told.tables[0] : undefined;
+  const fits = told.tables[isOfOne ? 1 : 0];
   const label = answer.verified ? "verified" : isOfOne ? "NOT verified" : String(answer.fits[0]?.robot ?? "none");
   pendant.append(
-    verdict(label, isOfOne ? "the file counts the joints as they were read" : "the robot that fits best", null, under(about, /^readings$/)),
-    ...(about ? [list(about, /^(readings|verdict)$/)] : []),
+    verdict(label, isOfOne ? "the file counts the joints as they were read" : "the robot that fits best", null, about?.lead?.rests_on ?? ""),
+    ...(about ? [list(about)] : []),
     words(told.sentences.flat()),
     ...(answer.verified ? [button("use this file in the other views", () => useRobot(VERIFY, "verified.toml"), { class: "main" })] : []),
     takeaway(() => ({ verb: VERIFY, question: question(VERIFY) }), [...(isOfOne ? [/** @type {[string, string]} */ (["robot file", "toml"])] : []), ["CSV", "csv"], ["JSON", "json"]]),
@@ -66,18 +65,16 @@ async function calibrated(signal) {
   tracker.replaceChildren();
   if (value(POINTS) === "") return [];
   const now = question("calibrate");
-  await fields("calibrate", now, signal);
-  const [markdown, svg] = await Promise.all(["md", "svg"].map(async (as) => (await written("calibrate", now, as, signal)).text()));
-  const told = read(markdown ?? "");
-  const [about, levels] = told.sheets;
+  const { tables: told, svg } = await forms("calibrate", now, ["json", "tables", "svg"], signal, progress);
+  const [about, levels] = told.tables;
   await picture.show(svg ?? "");
-  const label = under(about, /^error$/);
+  const { value: label, means, rests_on: atWork } = about.lead;
   tracker.append(
-    verdict(label, "how far the points are from where they should be", null, `at the work: ${under(about, /^at the work$/)}`),
-    ...(about ? [list(about, /^(error|at the work)$/)] : []),
+    verdict(label, means, null, `at the work: ${atWork}`),
+    list(about),
     words(told.sentences.flat()),
     button("use this robot in the other views", () => useRobot("calibrate", "calibrated.toml"), { class: "main" }),
-    takeaway(() => ({ verb: "calibrate", question: question("calibrate") }), [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report", "html"]]),
+    takeaway(() => ({ verb: "calibrate", question: question("calibrate") }), [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report"]]),
   );
   say(label);
   return [el("h2", {}, ["Every row, as drawn and calibrated"]), picture.image, ...(levels ? [sortable(levels, "what each level leaves")] : [])];

@@ -1,11 +1,11 @@
 // How stiff is my robot really? What to measure, and what follows of it.
 
-import { fields, watched, written } from "./ask.js";
+import { forms } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { opener, useRobot } from "./open.js";
 import { change, question, value } from "./state.js";
-import { list, read, sortable, under, verdict, words } from "./told.js";
+import { list, sortable, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
 const DATA = "identify.data";
@@ -32,17 +32,16 @@ export const measure = {
   async update(signal) {
     await identify(signal);
     const now = question("measure");
-    const answer = await watched("measure", now, signal, progress);
-    const told = read(await (await written("measure", now, "md", signal)).text());
-    const [about, runs] = told.sheets;
-    const label = under(about, /^precision/);
+    const { tables: told, svg } = await forms("measure", now, ["json", "tables", "svg"], signal, progress);
+    const [about, runs] = told.tables;
+    const { value: label, means, rests_on } = about.lead;
     says.replaceChildren(
-      verdict(label, `precision that ${answer.runs?.length ?? 0} measurements give`, null, under(about, /^stiffness$/)),
-      ...(about ? [list(about, /^(stiffness|precision)/)] : []),
+      verdict(label, means, null, rests_on),
+      list(about),
       words(told.sentences.flat()),
     );
     if (runs) plan.replaceChildren(sortable(runs, "postures to measure"), drawn.image);
-    await drawn.show(await (await written("measure", now, "svg", signal)).text());
+    await drawn.show(svg ?? "");
     if (value(DATA) === "") say(label);
   },
 };
@@ -55,19 +54,17 @@ async function identify(signal) {
     return;
   }
   const now = question("identify");
-  await fields("identify", now, signal);
-  const [markdown, svg] = await Promise.all(["md", "svg"].map(async (as) => (await written("identify", now, as, signal)).text()));
-  const told = read(markdown ?? "");
-  const [about, drives] = told.sheets;
+  const { tables: told, svg } = await forms("identify", now, ["json", "tables", "svg"], signal, progress);
+  const [about, drives] = told.tables;
   await picture.show(svg ?? "");
   fit.replaceChildren(el("h2", {}, ["What the measurements say"]), picture.image, ...(drives ? [sortable(drives, "drives as found")] : []));
-  const label = under(about, /^not explained/);
+  const { value: label, means, rests_on } = about.lead;
   found.replaceChildren(
-    verdict(label, "not explained by the drives as found", null, under(about, /^fit$/)),
-    ...(about ? [list(about, /^(fit|not explained)$/)] : []),
+    verdict(label, means, null, rests_on),
+    list(about),
     words(told.sentences.flat()),
     button("use this robot in the other views", () => useRobot("identify", "identified.toml"), { class: "main" }),
-    takeaway(identified, [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report", "html"]]),
+    takeaway(identified, [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report"]]),
   );
   say(label);
 }

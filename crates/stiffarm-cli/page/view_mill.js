@@ -1,12 +1,12 @@
 // Does this program hold the tolerance? The error along a toolpath, at rolls that are proved best.
 
-import { fields, oneInFlight, watched, written } from "./ask.js";
+import { fields, forms, oneInFlight } from "./ask.js";
 import { CellPlan, textOf as standOf } from "./cell.js";
 import { button, el, say } from "./dom.js";
 import { Picture, Space, takeaway } from "./figure.js";
 import { Rolls, pinsOf, textOf } from "./rolls.js";
 import { change, question, value } from "./state.js";
-import { list, read, under, verdict, words } from "./told.js";
+import { list, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
 /** @typedef {import("./rolls.js").Pin} Pin */
@@ -27,9 +27,9 @@ const programs = el("div");
 let told = {};
 const shown = () => (value("milled") in shows && (value("milled") !== "lobes" || asksChatter()) ? value("milled") : "rolls");
 const asked = () => ({ verb: "mill", question: question("mill") });
-/** @type {[string, string, string?][]} */
-const PICTURES = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop", "shop.svg"], ["CSV of samples", "csv"], ["JSON", "json"], ["report", "report", "html"]];
-/** @type {[string, string, string?][]} */
+/** @type {[string, string][]} */
+const PICTURES = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop"], ["CSV of samples", "csv"], ["JSON", "json"], ["report", "report"]];
+/** @type {[string, string][]} */
 const PROGRAMS = [["KUKA .src", "src"], ["ABB .mod", "mod"], ["Fanuc .ls", "ls"], ["path .nc", "nc"], ["path .apt", "apt"]];
 
 function draw() {
@@ -52,10 +52,9 @@ function pinned(pins) {
   return { ...at, "mill.pin": textOf(pins), ...(pins.length > 0 ? { "mill.roll": "" } : {}) };
 }
 
-/** @param {import("./ask.js").Question} now @param {boolean} isFollowed @param {AbortSignal} signal */
-async function showRolls(now, isFollowed, signal) {
+/** @param {string} drawn nothing where the path is not followed */
+async function showRolls(drawn) {
   const pins = pinsOf(value("mill.pin"));
-  const drawn = isFollowed ? await (await written("mill", now, "svg", signal)).text() : "";
   // A pin that nothing holds is dragged away again: the picture stays, and pales.
   const stays = drawn === "" && pins.length > 0;
   rolls.box.toggleAttribute("data-stale", stays);
@@ -80,8 +79,7 @@ const stand = oneInFlight(async (/** @type {import("./cell.js").Stand} */ at) =>
 const solve = oneInFlight(async (/** @type {Pin[]} */ pins) => {
   const { "mill.at": at = value("mill.at") } = /** @type {Record<string, string>} */ (pinned(pins));
   const now = question("mill", { at: at.split(",").map(Number), pin: textOf(pins), roll: undefined });
-  const drawn = await (await written("mill", now, "svg")).text();
-  await rolls.show(drawn, pins);
+  await rolls.show((await forms("mill", now, ["svg"])).svg ?? "", pins);
 });
 
 /** @type {import("./page.js").View} */
@@ -99,26 +97,21 @@ export const mill = {
     draw();
     const now = question("mill");
     if (now.options["robot"] === undefined || now.options["dry"] === true) return dry(signal);
-    const answer = await watched("mill", now, signal, progress);
-    const markdown = await (await written("mill", now, "md", signal)).text();
+    const wanted = ["json", "tables", "svg", "shop", ...(asksChatter() ? ["lobes"] : [])];
+    const { json: answer, tables: { tables, sentences }, svg, shop, lobes: depths } = await forms("mill", now, wanted, signal, progress);
     told = answer;
-    const { sheets, sentences } = read(markdown);
-    const [sheet] = sheets;
-    const label = answer.feasible ? under(sheet, /^largest error/) : value("mill.at") === "" ? "no place" : "not followed";
-    const means = answer.feasible ? "largest error of the tool along the path" : String(answer.reason ?? "");
-    says.replaceChildren(
-      verdict(label, means, answer, under(sheet, /^stiffness$/)),
-      ...sheets.map((sheet) => list(sheet, /^(stiffness|largest error)$/)),
-      words(sentences.flat()),
-    );
+    const { lead } = tables[0];
+    const label = answer.feasible ? lead.value : value("mill.at") === "" ? "no place" : "not followed";
+    const means = answer.feasible ? lead.means : String(answer.reason ?? "");
+    says.replaceChildren(verdict(label, means, answer, lead?.rests_on ?? ""), ...tables.map(list), words(sentences.flat()));
     programs.replaceChildren(...(answer.compensation ? [takeaway(asked, PROGRAMS)] : [el("p", { class: "notes" }, ["with “compensate” programs for KUKA, ABB and Fanuc, and the path led aside, can be downloaded"])]));
     say(`${label} ${answer.pass === false ? "fail" : ""}`);
     best.toggleAttribute("disabled", value("mill.at") === "");
     pinning.toggleAttribute("disabled", !answer.feasible);
     unpinning.toggleAttribute("disabled", value("mill.pin") === "");
-    if (shown() === "rolls") await showRolls(now, answer.feasible, signal);
-    if (shown() === "cell") await cell.show(await (await written("mill", now, "shop", signal)).text().catch(() => ""), standing(), answer.feasible ? answer.pass : false);
-    if (shown() === "lobes") await lobes.show((answer.chatter?.at_sample ?? null) === null ? "" : await (await written("mill", now, "lobes", signal)).text());
+    if (shown() === "rolls") await showRolls(answer.feasible ? (svg ?? "") : "");
+    if (shown() === "cell") await cell.show(shop ?? "", standing(), answer.feasible ? answer.pass : false);
+    if (shown() === "lobes") await lobes.show(depths ?? "");
     if (shown() === "space") space.show({ verb: "mill", question: now });
     else space.clear();
   },
@@ -127,8 +120,7 @@ export const mill = {
 /** What was understood of the path, where no robot is asked. @param {AbortSignal} signal */
 async function dry(signal) {
   const now = question("mill", { dry: true });
-  await fields("mill", now, signal);
+  const { tables: { tables, sentences } } = await forms("mill", now, ["json", "tables"], signal, progress);
   await rolls.show("", []);
-  const { sheets, sentences } = read(await (await written("mill", now, "md", signal)).text());
-  says.replaceChildren(...sheets.map((sheet) => list(sheet)), words(sentences.flat()));
+  says.replaceChildren(...tables.map(list), words(sentences.flat()));
 }

@@ -1,12 +1,12 @@
 // Where must the work stand? The zone is moved by hand, and the best place is proved.
 
-import { fields, oneInFlight, watched, written } from "./ask.js";
+import { fields, forms, oneInFlight } from "./ask.js";
 import { Comparison, add } from "./compare.js";
 import { button, el, say } from "./dom.js";
 import { Picture, Space, takeaway } from "./figure.js";
 import { Section } from "./section.js";
 import { change, question, value } from "./state.js";
-import { list, read, under, verdict, words } from "./told.js";
+import { list, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 import { textOf } from "./window.js";
 import { rounded, taskOf } from "./zone.js";
@@ -113,14 +113,11 @@ function draw() {
   best.toggleAttribute("disabled", value("at") === "");
 }
 
-/** Rows that stand above the list already. */
-const TOLD = /^(robot|stiffness|worst deflection|centre from|smallest margin|worst point|clearance|no place$)/;
-
 /** @param {AbortSignal} signal */
 async function drawStudy(signal) {
   const now = question("study");
   if (studied === JSON.stringify(now)) return;
-  await study.show(await (await written("study", now, "svg", signal)).text());
+  await study.show((await forms("study", now, ["svg"], signal, progress)).svg ?? "");
   studied = JSON.stringify(now);
 }
 
@@ -134,30 +131,29 @@ export const place = {
   mount(look, decide) {
     draw();
     look.replaceChildren(tabs, ...Object.values(shows));
-    /** @type {[string, string, string?][]} */
-    const kinds = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop", "shop.svg"], ["CSV", "csv"], ["JSON", "json"], ["in space", "view", "html"], ["report", "report", "html"]];
+    /** @type {[string, string][]} */
+    const kinds = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop"], ["CSV", "csv"], ["JSON", "json"], ["in space", "view"], ["report", "report"]];
     decide.replaceChildren(live, says, takeaway(asked, kinds));
   },
   async update(signal) {
     draw();
     const anywhere = question("place", { at: undefined, ...(value("at") === "" ? {} : { angle: undefined }) });
-    if (provedOf !== JSON.stringify(anywhere)) {
+    const [now, ofBest] = [question("place"), JSON.stringify(anywhere)];
+    const isBest = value("at") === "";
+    if (!isBest && provedOf !== ofBest) {
       provedOf = "";
-      proved = await watched("place", anywhere, signal, progress);
-      provedOf = JSON.stringify(anywhere);
+      proved = (await forms("place", anywhere, ["json"], signal, progress)).json;
     }
-    const now = question("place");
-    const told = value("at") === "" ? proved : await fields("place", now, signal);
-    // The picture is drawn while the words are read.
-    const drawn = shown() === "section" ? section.drawn(signal) : Promise.resolve("");
-    drawn.catch(() => undefined);
-    const answer = read(await (await written("place", now, "md", signal)).text());
-    const [sheet] = answer.sheets;
-    rests = under(sheet, /^stiffness$/);
+    const isDrawn = shown() === "section";
+    const { json: told, tables: answer, svg } = await forms("place", now, ["json", "tables", ...(isDrawn ? ["svg"] : [])], signal, progress);
+    if (isBest) proved = told;
+    provedOf = ofBest;
+    const { lead } = answer.tables[0];
+    rests = lead.rests_on;
     tell(told, null);
-    says.replaceChildren(...answer.sheets.map((sheet) => list(sheet, TOLD)), words(answer.sentences.flat()));
-    say(told.feasible ? `${under(sheet, /^worst deflection/)}${told.pass === false ? ", fail" : ""}` : "no place");
-    if (shown() === "section") await section.update(told, proved, await drawn);
+    says.replaceChildren(...answer.tables.map(list), words(answer.sentences.flat()));
+    say(told.feasible ? `${lead.value}${told.pass === false ? ", fail" : ""}` : "no place");
+    if (isDrawn) await section.update(told, proved, svg ?? (await section.map(signal)));
     if (shown() === "space") space.show(asked());
     if (shown() === "compare") await comparison.update(signal);
     if (shown() === "study") await drawStudy(signal);

@@ -1,11 +1,11 @@
 // Which robot? A ranking that follows what is typed.
 
-import { watched, written } from "./ask.js";
+import { forms } from "./ask.js";
 import { Comparison, add } from "./compare.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { change, question } from "./state.js";
-import { read, sortable, words } from "./told.js";
+import { sortable, words } from "./told.js";
 import { progress } from "./work.js";
 
 const picture = new Picture("deflection of each robot against the size of the task");
@@ -25,9 +25,9 @@ function actions(name) {
 /** The columns of the tasks come next to the names. @param {import("./told.js").Sheet} sheet @param {string[]} tasks */
 function valuesFirst(sheet, tasks) {
   const rank = (/** @type {string} */ name) => (name === "#" || name === "robot" ? 0 : tasks.includes(name) ? 1 : 2);
-  const order = sheet.head.map((name, column) => ({ column, rank: rank(name) })).sort((a, b) => a.rank - b.rank || a.column - b.column);
+  const order = sheet.headings.map((name, column) => ({ column, rank: rank(name) })).sort((a, b) => a.rank - b.rank || a.column - b.column);
   const led = (/** @type {string[]} */ cells) => order.map(({ column }) => cells[column] ?? "");
-  return { head: led(sheet.head), body: sheet.body.map(led) };
+  return { headings: led(sheet.headings), rows: sheet.rows.map(led) };
 }
 
 /** @type {import("./page.js").View} */
@@ -38,16 +38,14 @@ export const robots = {
   ],
   mount(look, decide) {
     look.replaceChildren(picture.image, table, comparison.box);
-    const kinds = /** @type {[string, string, string?][]} */ ([["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["CSV", "csv"], ["JSON", "json"], ["report", "report", "html"]]);
+    const kinds = /** @type {[string, string][]} */ ([["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["CSV", "csv"], ["JSON", "json"], ["report", "report"]]);
     decide.replaceChildren(verdict, takeaway(asked, kinds));
   },
   async update(signal) {
     const now = question("rank");
-    const answer = await watched("rank", now, signal, progress);
-    const [markdown, svg] = await Promise.all(["md", "svg"].map(async (as) => (await written("rank", now, as, signal)).text()));
-    const told = read(markdown ?? "");
+    const { json: answer, tables: told, svg } = await forms("rank", now, ["json", "tables", "svg"], signal, progress);
     const summary = /** @type {string[]} */ (answer.summary ?? []);
-    const sentences = told.sentences.slice(1).flat().filter((words) => !summary.includes(words));
+    const sentences = told.sentences.slice(1).flat().filter((/** @type {string} */ words) => !summary.includes(words));
     const [first = "", ...rest] = summary;
     const [question_ = "", ...assumed] = told.sentences[0] ?? [];
     verdict.replaceChildren(
@@ -55,7 +53,7 @@ export const robots = {
       words(rest, "words"),
       el("details", { class: "fine" }, [el("summary", {}, ["how to read the table"]), words(sentences)]),
     );
-    const [sheet] = told.sheets;
+    const [sheet] = told.tables;
     if (sheet) table.replaceChildren(sortable(valuesFirst(sheet, answer.tasks ?? []), "robots in order", (index) => actions(answer.rows[index]?.robot ?? "")));
     await picture.show(svg ?? "");
     say(first);

@@ -20,6 +20,24 @@ def test_a_path_that_is_built_in_is_milled(look: Open) -> None:
     expect(page.locator(".verdict .fail")).to_have_count(1)
 
 
+def test_an_answer_is_computed_once_whatever_is_looked_at_of_it(look: Open) -> None:
+    page = look("#robots")
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url.split("/api/")[1]) if request.method == "POST" and "/api/" in request.url else None)
+    for view, forms in [("place?robot=BT200L&task=circle:0.3", "place?as=json,tables,svg"), ("mill", "mill?as=json,tables,svg,shop")]:
+        asked.clear()
+        page.goto(f"{page.url.split('#')[0]}#{view}")
+        page.locator("#ask").get_by_label("tolerance [mm]").wait_for()
+        settled(page)
+        assert asked == [forms]
+    page.get_by_role("button", name="in the cell").click()
+    settled(page)
+    expect(page.locator("#look .over .zone:visible")).to_have_count(1)
+    page.get_by_role("button", name="rolls", exact=True).click()
+    settled(page)
+    assert asked == [forms]
+
+
 def test_a_toolpath_and_a_process_are_opened_and_a_program_downloaded(look: Open) -> None:
     page = look("#mill?mill.at=1.7,0,0.8&robot=KR+210+R2700+extra&tool=spindle:250@90", refused=True)
     page.get_by_label("open a file for path").and_(page.locator("input")).set_input_files(PATHS / "contour_ij.nc")
