@@ -40,6 +40,12 @@ impl Grid {
         let step = if matches!(zone, Zone::Circle { .. }) { step * std::f64::consts::FRAC_PI_2 } else { step };
         Self { points, step }
     }
+
+    /// The same points in the order in which a place is soonest known to be worse than another: most are worst far from the centre.
+    pub(crate) fn outermost_first(mut self) -> Self {
+        self.points.sort_by(|a, b| b[0].hypot(b[1]).total_cmp(&a[0].hypot(a[1])));
+        self
+    }
 }
 
 /// Points on the rim, each distance between them once: `across` along the first side, `along` along the second.

@@ -14,6 +14,17 @@ pub(super) struct Score {
 
 impl Score {
     pub(super) const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
+    /// Before any pose is looked at.
+    pub(super) const LEAST: Self = Self { unreached: 0, worst: 0.0 };
+
+    /// One more pose, of this compliance, infinite where it is not reached.
+    pub(super) fn take(&mut self, compliance: f64) {
+        if compliance.is_finite() {
+            self.worst = self.worst.max(compliance);
+        } else {
+            self.unreached += 1;
+        }
+    }
 
     pub(super) fn is_feasible(&self) -> bool {
         self.unreached == 0
@@ -24,7 +35,19 @@ impl Score {
     }
 }
 
-/// The best of a candidate and of all that steps, m, and turns, rad, lead to from there, down to the finest step of an answer.
+/// Those places that are neither this one nor one before them: what a limit holds back moves nowhere.
+pub(super) fn others<P: PartialEq>(from: &P, moved: impl Iterator<Item = P>) -> Vec<P> {
+    let mut others = Vec::new();
+    for place in moved {
+        if place != *from && !others.contains(&place) {
+            others.push(place);
+        }
+    }
+    others
+}
+
+/// The best of a candidate and of all that steps, m, and turns, rad, lead to from there, down to the finest step of an answer. Of what is `moved` and
+/// is no better than what it was moved from no more counts than that.
 pub(super) fn descend<T>(
     (start, [mut step, mut turn], parts): (T, [f64; 2], &Parts),
     score: impl Fn(&T) -> Score,

@@ -190,7 +190,7 @@ impl<'a> CellSearch<'a> {
 
     /// Every start refined, the best first.
     fn refined(&self, starts: &[Scored], cells: usize, step: f64) -> Result<Vec<Scored>, Stopped> {
-        let grid = Grid::of(self.zone, cells);
+        let grid = Grid::of(self.zone, cells).outermost_first();
         let refined = starts.par_iter().map(|start| self.descend(start, &grid, step));
         let mut refined: Vec<Scored> = refined.collect::<Result<_, _>>()?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
@@ -205,20 +205,29 @@ impl<'a> CellSearch<'a> {
             (self.scored(&start.site, grid), [first_step, 0.15], self.parts()),
             |scored| scored.score,
             |best, [step, turn]| {
-                directions.iter().map(|way| self.scored(&start_from(&best.site, way, step, turn), grid)).collect()
+                let moved = directions.iter().map(|way| start_from(&best.site, way, step, turn));
+                moved.map(|site| self.scored_below(&site, grid, best.score)).collect()
             },
         )
     }
 
     /// The score of the best configuration that keeps the clearance asked for; where none keeps it, how far it is from that.
     fn scored(&self, site: &Site, grid: &Grid) -> Scored {
+        self.scored_below(site, grid, Score::NONE)
+    }
+
+    /// The same where the score is less than a bound; else any score that is not.
+    fn scored_below(&self, site: &Site, grid: &Grid, bound: Score) -> Scored {
         if !self.ground.allows(site) {
             return Scored { site: *site, score: Score::NONE };
         }
         let score = self.at(site, |search, work| {
             let mut scores: Vec<(Score, Configuration)> =
-                search.scores(work, grid).into_iter().zip(Configuration::ALL).collect();
+                search.scores_below(work, grid, bound).into_iter().zip(Configuration::ALL).collect();
             scores.sort_by(|a, b| a.0.total_cmp(&b.0));
+            if scores[0].0.total_cmp(&bound).is_ge() {
+                return scores[0].0;
+            }
             let Some(asked) = self.ground.cell.clearance else { return scores[0].0 };
             let mut nearest = scores[0].0;
             for (score, configuration) in scores.into_iter().filter(|(score, _)| score.is_feasible()) {

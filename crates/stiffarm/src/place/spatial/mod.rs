@@ -8,6 +8,7 @@ mod field;
 mod in_cell;
 mod order;
 mod part;
+mod score;
 mod search;
 mod site;
 

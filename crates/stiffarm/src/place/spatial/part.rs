@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::{Score, descend};
+use super::descent::{Score, descend, others};
 use super::search::{CELLS, FINALISTS, STARTS, Search, region};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
@@ -323,17 +323,22 @@ impl<'a> PartSearch<'a> {
     }
 
     fn grids(&self, cells: usize) -> Vec<Grid> {
-        self.faces.iter().map(|face| Grid::of(face.zone, cells)).collect()
+        self.faces.iter().map(|face| Grid::of(face.zone, cells).outermost_first()).collect()
     }
 
     /// A place with its score, each face at the best of its roll and those a `turn` from it.
     fn candidate(&self, stand: Stand, rolls: &[f64], turn: f64, grids: &[Grid]) -> Candidate {
-        let mut whole = Candidate { stand, rolls: rolls.to_vec(), score: Score { unreached: 0, worst: 0.0 } };
+        self.candidate_below(stand, rolls, turn, (grids, Score::NONE))
+    }
+
+    /// The same where the score is less than a bound; else any score that is not. One face that is not less than it is enough.
+    fn candidate_below(&self, stand: Stand, rolls: &[f64], turn: f64, (grids, bound): (&[Grid], Score)) -> Candidate {
+        let mut whole = Candidate { stand, rolls: rolls.to_vec(), score: Score::LEAST };
         for (i, search) in self.searches.iter().enumerate() {
             let is_free = search.options.roll.is_none() && !search.roll_is_free;
             let tried = if is_free { vec![rolls[i], rolls[i] + turn, rolls[i] - turn] } else { vec![rolls[i]] };
             let score = |roll: f64| {
-                let scores = search.scores(&placed(&self.faces[i], &stand, roll), &grids[i]);
+                let scores = search.scores_below(&placed(&self.faces[i], &stand, roll), &grids[i], bound);
                 (scores.into_iter().min_by(Score::total_cmp).expect("eight configurations"), roll)
             };
             let (score, roll) =
@@ -341,6 +346,9 @@ impl<'a> PartSearch<'a> {
             whole.rolls[i] = roll;
             whole.score.unreached = whole.score.unreached.saturating_add(score.unreached);
             whole.score.worst = whole.score.worst.max(score.worst);
+            if whole.score.total_cmp(&bound).is_ge() {
+                break;
+            }
         }
         whole
     }
@@ -386,7 +394,9 @@ impl<'a> PartSearch<'a> {
                 z: self.region[1].clamp(best.stand.z + step * z),
                 turn: best.stand.turn + turn * t,
             });
-            stands.map(|stand| self.candidate(stand, &best.rolls, turn, grids)).collect()
+            // Where it stands itself, a face may be rolled.
+            let each = [best.stand].into_iter().chain(others(&best.stand, stands));
+            each.map(|stand| self.candidate_below(stand, &best.rolls, turn, (grids, best.score))).collect()
         };
         let start = self.candidate(start.stand, &start.rolls, steps[1], grids);
         descend((start, steps, self.parts()), |candidate| candidate.score, moved)

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::{Score, descend};
+use super::descent::{Score, descend, others};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::batch::{SameBranch, SpatialArm};
@@ -103,7 +103,7 @@ pub(super) struct Candidate {
     pub(super) work: WorkPlacement,
     pub(super) score: Score,
     /// The configuration with that score.
-    configuration: Configuration,
+    pub(super) configuration: Configuration,
 }
 
 #[derive(Clone)]
@@ -198,7 +198,7 @@ impl<'a> Search<'a> {
 
     /// Every start refined, the best first.
     pub(super) fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Result<Vec<Candidate>, Stopped> {
-        let grid = Grid::of(self.zone, cells);
+        let grid = Grid::of(self.zone, cells).outermost_first();
         let refined = starts.par_iter().map(|start| self.descend(start, &grid, step));
         let mut refined: Vec<Candidate> = refined.collect::<Result<_, _>>()?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
@@ -317,23 +317,6 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    /// A place with its score over a grid of poses.
-    pub(super) fn candidate(&self, work: WorkPlacement, grid: &Grid) -> Candidate {
-        let scores = self.scores(&work, grid).into_iter().zip(Configuration::ALL);
-        let (score, configuration) = scores.min_by(|a, b| a.0.total_cmp(&b.0)).expect("eight configurations");
-        Candidate { work, score, configuration }
-    }
-
-    /// All of the zone lies in the window, and clear of the robot's column.
-    fn is_within(&self, work: &WorkPlacement, plane: &WorkPlane) -> bool {
-        let [ahead, _, up] = plane.half_extents(self.zone);
-        let Within { x, z } = self.options.within;
-        [(x, work.x, ahead), (z, work.z, up)].into_iter().all(|(range, at, half)| {
-            range.contains(at - half, tolerances::WINDOW) && range.contains(at + half, tolerances::WINDOW)
-        }) && (self.options.column == 0.0
-            || self.options.column <= plane.distance_from_axis_1(work, self.zone) + tolerances::WINDOW)
-    }
-
     /// The window is too narrow for the zone at all turns that are tried.
     fn window_is_too_narrow(&self) -> bool {
         let Within { x, z } = self.options.within;
@@ -344,39 +327,6 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// The score of every configuration.
-    pub(super) fn scores(&self, work: &WorkPlacement, grid: &Grid) -> [Score; Configuration::COUNT] {
-        let plane = WorkPlane::of(self.options.elevation, work);
-        let count = grid.points.len();
-        let mut points = vec![0.0; 3 * count];
-        let (x, yz) = points.split_at_mut(count);
-        let (y, z) = yz.split_at_mut(count);
-        if !self.is_within(work, &plane) {
-            return [Score::NONE; Configuration::COUNT];
-        }
-        for (i, &at) in grid.points.iter().enumerate() {
-            let point = plane.point(work, at);
-            (x[i], y[i], z[i]) = (point.x, point.y, point.z);
-        }
-        let mut configurations = vec![0.0; Configuration::COUNT * count];
-        let orientation = self.freed.orientation(plane.tool()).under(plane.forces(self.options.load));
-        let mut best = [Score::NONE; Configuration::COUNT];
-        for same_branch in self.freed.same_branches(&plane.pose(work, [0.0; 2])) {
-            let mut rows = configurations.chunks_exact_mut(count);
-            let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
-            self.freed.configurations_at(&orientation, &same_branch, [x, y, z], into);
-            for (best, row) in best.iter_mut().zip(configurations.chunks_exact(count)) {
-                let reached = row.iter().filter(|value| value.is_finite());
-                let worst = reached.clone().copied().fold(0.0, f64::max);
-                let score = Score { unreached: count - reached.count(), worst };
-                if score.total_cmp(best).is_lt() {
-                    *best = score;
-                }
-            }
-        }
-        best
-    }
-
     /// Steps in every direction of what is free, halved where none is better.
     fn descend(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Result<Candidate, Stopped> {
         let directions = directions(self.free());
@@ -385,7 +335,9 @@ impl<'a> Search<'a> {
             (self.candidate(start.work, grid), steps, self.options.parts),
             |candidate| candidate.score,
             |best, steps| {
-                directions.iter().map(|way| self.candidate(self.moved(&best.work, way, steps), grid)).collect()
+                let moved = directions.iter().map(|way| self.moved(&best.work, way, steps));
+                let each = others(&best.work, moved);
+                each.into_iter().map(|work| self.candidate_below(work, grid, best.score)).collect()
             },
         )
     }
