@@ -100,7 +100,8 @@ export const mill = {
     const wanted = ["json", "tables", "svg", "shop", ...(asksChatter() ? ["lobes"] : [])];
     const { json: answer, tables: { tables, sentences }, svg, shop, lobes: depths } = await forms("mill", now, wanted, signal, progress);
     told = answer;
-    const { lead } = tables[0];
+    // Of several tools no table of one decides.
+    const { lead } = tables.find((/** @type {import("./told.js").Sheet} */ sheet) => sheet.lead) ?? {};
     const label = answer.feasible ? lead.value : value("mill.at") === "" ? "no place" : "not followed";
     const means = answer.feasible ? lead.means : String(answer.reason ?? "");
     says.replaceChildren(verdict(label, means, answer, lead?.rests_on ?? ""), ...tables.map(list), words(sentences.flat()));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::answer::{ByToolAnswer, Rows};
+use crate::answer::{ByToolAnswer, Rows, Table};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::catalogue::{ProcessFile, files};
@@ -58,7 +58,8 @@ impl Answer for ByToolOutput {
         let Self { answer } = self;
         let of_tools = answer.sections.iter().flat_map(|section| {
             let heading = Piece::Lines(format!("T{}\n", section.tool));
-            [heading, Piece::Table(section.milled.table()), Piece::Break]
+            let table = Table { lead: None, ..section.milled.table() };
+            [heading, Piece::Table(table), Piece::Break]
         });
         let all = [Piece::Table(answer.table()), Piece::Break, Piece::Lines(answer.notes())];
         of_tools.chain(all).collect()

@@ -236,6 +236,39 @@ fn a_table_that_decides_says_which_line_does() {
     }
 }
 
+/// The first tool errs less than the second: no table of one tool decides of the path.
+#[test]
+fn of_several_tools_the_one_that_errs_most_decides() {
+    let served = Served::start(&[]);
+    let process = |newtons: u32| format!("[constant]\nfeed_n = {newtons}\nacross_n = -20\naxial_n = 50\n");
+    let cuts = "G0 X0 Y0 Z5\nG1 Z0 F500\nG1 X100\nG0 Z5\n";
+    let path = format!("G21 G90 G94\nT1 M6\n{cuts}T2 M6\n{cuts}M2\n");
+    let ask = |at: [f64; 3]| {
+        let question = json!({
+            "options": {
+                "path": "two.nc", "robot": "KR 210 R2700 extra", "at": at, "step-mm": 50, "tool-mm": "200,0,150,0,60,0",
+                "process": ["T1=one.toml", "T2=two.toml"], "tool-lengths-mm": ["T1=30", "T2=95"],
+            },
+            "files": { "two.nc": path, "one.toml": process(40), "two.toml": process(300) },
+        });
+        let reply = served.ask("/api/mill?as=json,tables", &question);
+        assert_eq!(reply.status, 200, "{}", reply.text());
+        reply.json()
+    };
+    let leads = |told: &Value| -> Vec<Value> {
+        let tables = told["tables"]["tables"].as_array().unwrap();
+        tables.iter().map(|table| table["lead"].clone()).filter(|lead| !lead.is_null()).collect()
+    };
+    let told = ask([1.6, 0.0, 0.8]);
+    let [lead] = leads(&told).try_into().unwrap();
+    let of_tool = |i: usize| told["json"]["by_tool"][i]["worst_mm"].as_f64().unwrap();
+    assert!(of_tool(0) < of_tool(1), "{of_tool:?}", of_tool = [of_tool(0), of_tool(1)]);
+    assert_eq!(lead["value"], format!("{:.4} mm, by T2", of_tool(1)));
+    let far = ask([9.0, 0.0, 0.8]);
+    let [lead] = leads(&far).try_into().unwrap();
+    assert_eq!((&lead["means"], &lead["value"]), (&json!("not followed"), &far["json"]["reason"]));
+}
+
 #[test]
 fn what_the_program_says_beside_an_answer_comes_along() {
     let served = Served::start(&[]);

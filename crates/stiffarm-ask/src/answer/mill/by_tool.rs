@@ -4,9 +4,10 @@ use serde_json::{Value, json};
 
 use super::super::uncertainty::Known;
 use super::super::verdict::{self, Verdict};
-use super::super::{Cell, Column, ColumnKind, Record, Rows, Table, field, fixed, stiffness, with_schema};
+use super::super::{Cell, Column, ColumnKind, Lead, Record, Rows, Table, field, fixed, stiffness, with_schema};
 use super::asked::Tooled;
 use super::programs::program_of;
+use super::table::NOT_FOLLOWED;
 use super::{Beside, Bodies, MillAnswer, MillAnswerError};
 use crate::request::{Request, tool_name};
 use stiffarm::catalogue::ProcessFile;
@@ -181,7 +182,19 @@ impl ByToolAnswer {
             cells.extend(self.tolerance_mm.map(|_| milled.verdict().map_or_else(|| "-".into(), Verdict::told)));
             table.row(cells);
         }
-        table
+        Table { lead: Some(self.lead()), ..table }
+    }
+
+    /// What decides of all tools together: no section does alone.
+    fn lead(&self) -> Lead {
+        let (value, means) = match self.worst() {
+            Some((section, error)) => (
+                format!("{} mm, by T{}", fixed(error * 1e3, 4), section.tool),
+                "largest error of the tools along the path",
+            ),
+            None => (self.reason().unwrap_or_default(), NOT_FOLLOWED),
+        };
+        Lead { value, means: means.into(), rests_on: stiffness(&self.robot), rows: Vec::new() }
     }
 
     /// What stands below the tables.

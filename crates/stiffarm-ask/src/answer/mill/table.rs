@@ -13,7 +13,8 @@ use stiffarm::mill::{Acting, ErrorPart, Followed, MillOptions, PathGround, PathR
 use stiffarm::place::Within;
 
 const LARGEST_ERROR: &str = "largest error";
-const NOT_FOLLOWED: &str = "not followed";
+/// The line that says why.
+pub(super) const NOT_FOLLOWED: &str = "not followed";
 
 impl MillAnswer {
     /// For people.
