@@ -13,15 +13,20 @@ mod measure;
 mod modes;
 mod notation;
 mod on_path;
+pub(crate) mod opt;
 mod options;
 mod path;
 mod python;
 mod reading;
 mod refusal;
 mod sent;
+mod setting;
 mod settings;
 mod sides;
+mod value;
+mod verb;
 mod wishes;
+mod words;
 
 pub use kind::{Count, Kind};
 pub use notation::{
@@ -32,12 +37,16 @@ pub use options::{Held, Unasked, Wanted, distinct};
 pub(crate) use path::tool_name;
 pub use refusal::{Refusal, Spelling};
 pub use sent::sent;
-pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
+pub use setting::{Absent, Of, Setting};
+pub use settings::SETTINGS;
 pub use sides::SetupError;
-pub use wishes::Layer;
+pub use verb::Verb;
+pub use words::Layer;
 
-use kind::Value;
+use opt::Opt;
 use refusal::shown;
+use stiffarm::chatter::HeldBy;
+use value::{Typed, Value};
 
 /// A name and a text, as a reader found them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -128,7 +137,7 @@ impl Request {
     }
 
     /// Was it given, rather than left to its default?
-    pub fn is_given(&self, name: &str) -> bool {
+    pub fn is_given(&self, name: impl AsRef<str>) -> bool {
         self.find(name).is_some()
     }
 
@@ -137,16 +146,35 @@ impl Request {
         self.given.iter().map(|given| (given.setting.name, given.values.len()))
     }
 
-    fn find(&self, name: &str) -> Option<&Given> {
-        self.given.iter().find(|given| given.setting.name == name)
+    fn find(&self, name: impl AsRef<str>) -> Option<&Given> {
+        self.given.iter().find(|given| given.setting.name == name.as_ref())
     }
 
-    /// What was given, or the default.
-    fn values(&self, name: &str) -> Vec<Value> {
-        if let Some(given) = self.find(name) {
-            return given.values.clone();
-        }
-        self.verb.setting(name).map_or_else(Vec::new, default_of)
+    /// What was given, or the default; nothing where the verb has no such option.
+    fn all<T: Typed>(&self, option: Opt<T>) -> Vec<T> {
+        let Some(row) = self.verb.setting(option).filter(|row| Opt::<T>::has(row)) else { return Vec::new() };
+        let values = self.find(option).map_or_else(|| default_of(row), |given| given.values.clone());
+        values.into_iter().map(|value| T::of(value).expect("the row is of this type")).collect()
+    }
+
+    /// The same of an option that takes one value.
+    fn get<T: Typed>(&self, option: Opt<T>) -> Option<T> {
+        self.all(option).pop()
+    }
+
+    /// The same of one without which nothing can be answered.
+    fn required<T: Typed>(&self, option: Opt<T>) -> Result<T, Refusal> {
+        self.get(option).ok_or_else(|| self.missing(option))
+    }
+
+    /// The same of one that has a default.
+    fn value<T: Typed>(&self, option: Opt<T>) -> T {
+        self.get(option).expect("the row has a default")
+    }
+
+    /// What is asked for by saying so.
+    fn is_wished(&self, option: Opt<bool>) -> bool {
+        self.get(option) == Some(true)
     }
 
     /// An option belongs to the models to which it, and what it needs, belong.
@@ -171,7 +199,7 @@ impl Request {
         let Given { setting, at, .. } = given;
         let (at, name) = (at.clone(), at.name(setting));
         // A process says what a force would.
-        let is_said = |other: &str| self.is_given(other) || other == "force-n" && self.is_given("process");
+        let is_said = |other: &str| self.is_given(other) || other == opt::FORCE_N.name && self.is_given(opt::PROCESS);
         let others: Vec<&Setting> = setting.needed_by(self.verb).filter_map(|other| self.verb.setting(other)).collect();
         if !others.is_empty() && !others.iter().any(|other| is_said(other.name)) {
             let other = others.into_iter().map(|other| at.name(other)).collect::<Vec<_>>().join(" or ");
@@ -197,7 +225,7 @@ impl Request {
             "drive-urad-per-nm",
             "stiffness-nm-per-rad",
         ];
-        if self.word("frf-on") != Some("robot") {
+        if self.get(opt::FRF_ON) != Some(HeldBy::Robot) {
             return Ok(());
         }
         IN_IT.into_iter().find(|name| self.is_given(name)).map_or(Ok(()), |name| {
@@ -210,26 +238,26 @@ impl Request {
         if self.verb != Verb::Map || self.maps_frequency() {
             return Ok(());
         }
-        if self.is_given("tool-com-mm") {
+        if self.is_given(opt::TOOL_COM_MM) {
             let why = "has no meaning where deflections alone are mapped; expected quantity first-frequency beside it";
-            return Err(self.refused("tool-com-mm", why.into()));
+            return Err(self.refused(opt::TOOL_COM_MM, why.into()));
         }
         if self.layer() == Layer::FirstFrequency {
-            return Err(self.refused("layer", "first-frequency; expected quantity first-frequency beside it".into()));
+            return Err(self.refused(opt::LAYER, "first-frequency; expected quantity first-frequency beside it".into()));
         }
         Ok(())
     }
 
     /// A mass centre is of a mass, and what held a tip of its table; these need it by their rows.
     fn check_held(&self) -> Result<(), Refusal> {
-        [("tool-com-mm", "tool-mass-kg"), ("frf-on", "frf")].into_iter().try_for_each(|(name, other)| {
-            match (self.find(name), self.verb.setting(other)) {
+        [(opt::TOOL_COM_MM.name, opt::TOOL_MASS_KG.name), (opt::FRF_ON.name, opt::FRF.name)].into_iter().try_for_each(
+            |(name, other)| match (self.find(name), self.verb.setting(other)) {
                 (Some(Given { setting, at, .. }), Some(needed)) if !self.is_given(other) => {
                     Err(Refusal::Needs { at: at.clone(), name: at.name(setting), other: at.name(needed) })
                 }
                 _ => Ok(()),
-            }
-        })
+            },
+        )
     }
 
     /// Of a path that is only read nothing is milled.
@@ -240,7 +268,7 @@ impl Request {
         match self.given.iter().find(|given| !settings::milling::is_of_reading(given.setting)) {
             None => Ok(()),
             Some(Given { setting, at, .. }) => {
-                let other = self.verb.setting("dry").map_or_else(String::new, |dry| at.name(dry));
+                let other = self.verb.setting(opt::DRY).map_or_else(String::new, |dry| at.name(dry));
                 Err(Refusal::Excludes { at: at.clone(), name: at.name(setting), other })
             }
         }
@@ -249,7 +277,7 @@ impl Request {
     /// On several tasks no one knows which side is meant.
     fn check_long_side(&self) -> Result<(), Refusal> {
         let is_long = matches!(self.angle(), Angle::Horizontal | Angle::Vertical);
-        match (self.find("angle"), self.verb.setting("task")) {
+        match (self.find(opt::ANGLE), self.verb.setting(opt::TASK)) {
             (Some(Given { setting, at, .. }), Some(task)) if is_long && 1 < self.tasks().len() => {
                 Err(Refusal::LongSide { at: at.clone(), name: at.name(setting), task: at.name(task) })
             }
@@ -273,24 +301,25 @@ impl Request {
         }
         let tasks = self.works();
         let has_part = tasks.iter().any(|task| task.part.is_some());
-        for name in ["tool-direction", "yaw-deg"] {
+        for name in [opt::TOOL_DIRECTION.name, opt::YAW_DEG.name] {
             if has_part && self.is_given(name) {
                 return Err(refused(name, "a part says itself how the tool meets each face"));
             }
         }
-        if !self.is_given("faces") {
+        if !self.is_given(opt::FACES) {
             return Ok(());
         }
         if !has_part {
             return Err(refused("faces", "a flat zone is one face; a part is such as box:0.8x0.5x0.1"));
         }
         for part in tasks.iter().filter_map(|task| task.part.as_ref()) {
-            part.with_faces(&self.texts("faces")).map_err(|error| refused("faces", &error.to_string()))?;
+            part.with_faces(&self.all(opt::FACES)).map_err(|error| refused("faces", &error.to_string()))?;
         }
         Ok(())
     }
 
-    fn missing(&self, name: &str) -> Refusal {
+    fn missing(&self, name: impl AsRef<str>) -> Refusal {
+        let name = name.as_ref();
         let setting = self.verb.setting(name);
         Refusal::Missing {
             at: self.reader.clone(),

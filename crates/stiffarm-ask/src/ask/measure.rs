@@ -1,7 +1,7 @@
 //! `stiffarm measure`: which postures and loads to measure, with a certificate.
 
 use crate::answer::{GeometryAnswer, MeasureAnswer, Rows};
-use crate::request::Request;
+use crate::request::{Request, opt};
 use serde_json::Value;
 use stiffarm::catalogue::measurements;
 use stiffarm::measure::{MeasureError, Options, compare, geometry_plan, over, plan};
@@ -17,7 +17,7 @@ fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
     let mut options = asked.measurement_plan();
     let mut work = "anywhere within the limits".to_owned();
-    if asked.is_given("task") {
+    if asked.is_given(opt::TASK) {
         let task = asked.task()?;
         work = format!("{} at its best place, tool down", task.label);
         let tool = asked.held().tool();

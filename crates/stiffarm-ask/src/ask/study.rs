@@ -1,7 +1,7 @@
 //! `stiffarm study`: architecture against link ratio and task size.
 
 use crate::answer::{Rows, StudyAnswer};
-use crate::request::Request;
+use crate::request::{Request, opt};
 use serde_json::Value;
 use stiffarm::study::{StudyOptions, study, study_watched};
 
@@ -16,7 +16,7 @@ const FIGURE_RATIOS: usize = 61;
 const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<StudyOutput, AskError> {
-    let robot = asked.is_given("robot").then(|| super::selection::robot(&asked.robot()?, context)).transpose()?;
+    let robot = asked.is_given(opt::ROBOT).then(|| super::selection::robot(&asked.robot()?, context)).transpose()?;
     let (options, plate) = (asked.study(robot.as_ref())?, Plate::of(asked)?);
     let found = context.watched("studying", |watch| study_watched(&options, watch))?;
     Ok(StudyOutput(StudyAnswer(found), plate))

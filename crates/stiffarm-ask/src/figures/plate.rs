@@ -1,6 +1,6 @@
 //! How wide is a figure on paper, and from where to where do its colours go?
 
-use crate::request::{Refusal, Request};
+use crate::request::{Refusal, Request, opt};
 use stiffarm::interval::Interval;
 
 /// The width of a figure that is to be seen on a screen, px. Smallest text: 12 px.
@@ -27,7 +27,7 @@ impl Plate {
     /// # Errors
     /// Where the range is none.
     pub fn of(asked: &Request) -> Result<Self, Refusal> {
-        let scale = if asked.verb.setting("scale").is_some() { asked.scale()? } else { None };
+        let scale = if asked.verb.setting(opt::SCALE).is_some() { asked.scale()? } else { None };
         Ok(Self { width_mm: asked.width_mm(), scale })
     }
 

@@ -1,8 +1,8 @@
 //! What force does a request mean? Its size, its axes, its cone and the feed, checked against each other.
 
-use super::kind::Value;
 use super::notation::Force;
-use super::{Refusal, Request, Verb};
+use super::words::ForceAxes;
+use super::{Refusal, Request, Verb, opt};
 use stiffarm::cutting::{Law, Process};
 use stiffarm::load::{Component, Load};
 
@@ -32,15 +32,15 @@ impl Request {
     /// A process whose force is measured along a path, has no mean, or does not go with what else is said of the force.
     pub fn under(&self, process: &Process) -> Result<Self, Refusal> {
         if let Law::Measured(_) = process.law {
-            return Err(self.refused("process", "is measured along a path; a zone has one force".into()));
+            return Err(self.refused(opt::PROCESS, "is measured along a path; a zone has one force".into()));
         }
-        let found = process.force().map_err(|error| self.refused("process", error.to_string()))?;
+        let found = process.force().map_err(|error| self.refused(opt::PROCESS, error.to_string()))?;
         let force = found.mean.map_or(Force::Size(found.largest), Force::Along);
         let size = match force {
             Force::Size(newtons) => Load::worst(newtons),
             Force::Along(force) => Load::along_tool(force, None),
         };
-        size.map_err(|error| self.refused("process", format!("gives {error}")))?;
+        size.map_err(|error| self.refused(opt::PROCESS, format!("gives {error}")))?;
         let under = Self { process_force: Some(force), ..self.clone() };
         under.check_force()?;
         Ok(under)
@@ -48,8 +48,8 @@ impl Request {
 
     /// Checks that the file of a process was read, where one was given.
     pub(super) fn check_process(&self) -> Result<(), Refusal> {
-        if self.is_given("process") && self.process_force.is_none() {
-            return Err(self.refused("process", "was not read: nobody who asks this knows its force".into()));
+        if self.is_given(opt::PROCESS) && self.process_force.is_none() {
+            return Err(self.refused(opt::PROCESS, "was not read: nobody who asks this knows its force".into()));
         }
         Ok(())
     }
@@ -60,49 +60,39 @@ impl Request {
     }
 
     fn asked_load(&self) -> Result<Option<Load>, Odd> {
-        if self.verb == Verb::Measure {
-            return Ok(None);
-        }
-        let force = |value| if let Value::Force(force) = value { Some(force) } else { None };
-        let Some(force) = self.process_force.or_else(|| self.one("force-n", force)) else { return Ok(None) };
-        if self.is_given("process") && self.is_along_base() {
+        let Some(force) = self.process_force.or_else(|| self.get(opt::FORCE_N)) else { return Ok(None) };
+        if self.is_given(opt::PROCESS) && self.is_along_base() {
             return Err((
-                "force-axes",
+                opt::FORCE_AXES.name,
                 "are those of the base; the force of a process points along the axes of the tool".into(),
             ));
         }
         let load = self.directed(force)?;
-        let component = match self.word("component") {
-            Some("along") => Component::Along,
-            Some("normal") if self.is_of_the_plane() => {
-                return Err((
-                    "component",
-                    "normal to the face needs the spatial model: a zone in the arm plane has no face".into(),
-                ));
-            }
-            Some("normal") => Component::Normal,
-            _ => Component::Total,
-        };
-        let cone = self.number("force-cone-deg").unwrap_or(0.0);
+        let component = self.get(opt::COMPONENT).unwrap_or(Component::Total);
+        if component == Component::Normal && self.is_of_the_plane() {
+            let why = "normal to the face needs the spatial model: a zone in the arm plane has no face";
+            return Err((opt::COMPONENT.name, why.into()));
+        }
+        let cone = self.get(opt::FORCE_CONE_DEG).unwrap_or(0.0);
         let load = load.with_cone(cone.to_radians()).expect("the row's range is that of a cone");
         Ok(Some(load.counting(component)))
     }
 
     /// The force with its direction.
     fn directed(&self, force: Force) -> Result<Load, Odd> {
-        let direction = self.number("direction-deg");
+        let direction = self.get(opt::DIRECTION_DEG);
         let load = match (force, direction) {
             (Force::Size(newtons), Some(degrees)) => Load::in_plane(newtons, degrees.to_radians(), Component::Total),
             // Until the file is read nobody knows whether its force has a direction.
-            (Force::Size(newtons), None) if self.is_given("process") && self.process_force.is_none() => {
+            (Force::Size(newtons), None) if self.is_given(opt::PROCESS) && self.process_force.is_none() => {
                 Load::worst(newtons)
             }
             (Force::Size(newtons), None) => {
                 let three = "a force of one number points in its worst direction; give three";
                 for (name, says) in [
-                    ("force-axes", "says along which axes a force points"),
-                    ("feed-deg", "says where the feed goes along which a force points"),
-                    ("force-cone-deg", "is the doubt about where a force points"),
+                    (opt::FORCE_AXES.name, "says along which axes a force points"),
+                    (opt::FEED_DEG.name, "says where the feed goes along which a force points"),
+                    (opt::FORCE_CONE_DEG.name, "is the doubt about where a force points"),
                 ] {
                     if self.is_given(name) {
                         return Err((name, format!("{says}; {three}")));
@@ -112,7 +102,7 @@ impl Request {
             }
             (Force::Along(_), Some(_)) => {
                 return Err((
-                    "direction-deg",
+                    opt::DIRECTION_DEG.name,
                     "is the direction of a force that is given by its size; three numbers have one".into(),
                 ));
             }
@@ -120,27 +110,30 @@ impl Request {
                 let why = format!(
                     "pushes with {y} N across the arm plane, of which the planar model knows nothing; it takes ahead,0,up, the spatial model any"
                 );
-                return Err(("force-n", why));
+                return Err((opt::FORCE_N.name, why));
             }
             (Force::Along(force), None) if self.is_along_base() => {
-                if self.is_given("feed-deg") {
-                    return Err(("feed-deg", "turns nothing: the force is given along the axes of the base".into()));
+                if self.is_given(opt::FEED_DEG) {
+                    return Err((
+                        opt::FEED_DEG.name,
+                        "turns nothing: the force is given along the axes of the base".into(),
+                    ));
                 }
                 Load::along_base(force)
             }
-            (Force::Along(force), None) => Load::along_tool(force, self.number("feed-deg").map(f64::to_radians)),
+            (Force::Along(force), None) => Load::along_tool(force, self.get(opt::FEED_DEG).map(f64::to_radians)),
         };
         Ok(load.expect("the notation takes what a load takes"))
     }
 
     /// The paper's model, which knows the arm plane alone.
     fn is_of_the_plane(&self) -> bool {
-        self.verb.setting("model").is_some() && !self.is_spatial()
+        self.verb.setting(opt::MODEL).is_some() && !self.is_spatial()
     }
 
     /// Three numbers count along the axes of the base.
     fn is_along_base(&self) -> bool {
-        let usual = if self.is_of_the_plane() || self.verb == Verb::Compliance { "base" } else { "tool" };
-        self.word("force-axes").unwrap_or(usual) == "base"
+        let is_usual = self.is_of_the_plane() || self.verb == Verb::Compliance;
+        self.get(opt::FORCE_AXES).map_or(is_usual, |axes| axes == ForceAxes::Base)
     }
 }

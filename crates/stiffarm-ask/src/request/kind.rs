@@ -1,18 +1,12 @@
 //! What does an option take, and which value does a text stand for?
 
-use super::notation::{
-    Angle, Force, block, direction, elevation, force, heading, marker, mount, number, of_tool, open_range, pin, point,
-    roll, shape, spindle, tool, tool_length, way, window, yaw,
-};
 use stiffarm::catalogue::is_date;
-use stiffarm::catalogue::measurements::Marker;
-use stiffarm::cell::{Block, Mount, Window};
-use stiffarm::interval::Interval;
-use stiffarm::inverse::Configuration;
-use stiffarm::measure::LoadWay;
-use stiffarm::mill::RollMode;
-use stiffarm::spatial::Pose;
-use stiffarm::task::Task;
+
+use super::notation::{
+    block, direction, elevation, force, heading, marker, mount, number, of_tool, open_range, pin, point, roll, shape,
+    spindle, tool, tool_length, way, window, yaw,
+};
+use super::value::{Type, Value};
 
 /// What an option takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,45 +136,40 @@ pub(super) const fn degrees_of(most: f64, of: &'static str) -> Kind {
     number_of(-most, most, of)
 }
 
-/// What a text stands for: numbers in the unit of the option, all else in SI.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Value {
-    Text(String),
-    Truth(bool),
-    Word(&'static str),
-    Number(f64),
-    Whole(usize),
-    Force(Force),
-    Interval(Interval),
-    Window(Window),
-    Block(Block),
-    Mount(Mount),
-    Angle(Angle),
-    Floor(Option<f64>),
-    Tool(Pose),
-    Point([f64; 3]),
-    Marker(Marker),
-    Way(LoadWay),
-    Task(Task),
-    Posture(Configuration),
-    Roll(RollMode),
-    Pin([f64; 2]),
-    OfTool(u32, f64),
-    Heading(String, String),
-}
-
 impl Kind {
-    /// The two architectures.
-    pub(super) const ARCHITECTURE: Self = Self::Word(&[("serial", ""), ("quasi-serial", "")]);
-    /// How well a robot is known.
-    pub(super) const STATUS: Self =
-        Self::Word(&[("identified", ""), ("data-sheet", ""), ("derived", ""), ("estimated", "")]);
-
     /// The words there are, where there are only some.
     pub fn words(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Self::Word(words) => words,
             _ => &[],
+        }
+    }
+
+    /// Of which type its values are.
+    pub(super) const fn type_of(self) -> Type {
+        match self {
+            Self::Text | Self::Robot | Self::File | Self::FileOfTool | Self::Date => Type::Text,
+            Self::LengthOfTool => Type::OfTool,
+            Self::Flag => Type::Truth,
+            Self::Word(_) => Type::Word,
+            Self::Number { .. } | Self::Elevation => Type::Number,
+            Self::Whole { .. } => Type::Whole,
+            Self::Force => Type::Force,
+            Self::Range { .. } | Self::Yaw => Type::Interval,
+            Self::Within => Type::Window,
+            Self::Block { .. } => Type::Block,
+            Self::Mount => Type::Mount,
+            Self::Angle => Type::Angle,
+            Self::Roll => Type::Roll,
+            Self::Pin => Type::Pin,
+            Self::Floor => Type::Floor,
+            Self::Tool | Self::Spindle => Type::Tool,
+            Self::Point | Self::Direction => Type::Point,
+            Self::Marker => Type::Marker,
+            Self::Way => Type::Way,
+            Self::Heading => Type::Heading,
+            Self::Task | Self::Shape => Type::Task,
+            Self::Posture => Type::Posture,
         }
     }
 
@@ -221,11 +210,11 @@ impl Kind {
         match self {
             Self::File if text.trim().is_empty() => Err("expected a file's name".into()),
             Self::FileOfTool if of_tool(text).1.trim().is_empty() => Err("expected a file's name, or T1=FILE".into()),
-            Self::LengthOfTool => tool_length(text).map(|(tool, metres)| Value::OfTool(tool, metres)),
+            Self::LengthOfTool => tool_length(text).map(Value::OfTool),
             Self::Text | Self::Robot | Self::File | Self::FileOfTool => Ok(Value::Text(text.into())),
             Self::Date if is_date(text) => Ok(Value::Text(text.into())),
             Self::Date => Err("expected a day as year-month-day, such as 2026-05-31".into()),
-            Self::Heading => heading(text).map(|(ours, theirs)| Value::Heading(ours, theirs)),
+            Self::Heading => heading(text).map(Value::Heading),
             Self::Flag => text.parse().map(Value::Truth).map_err(|_| "expected true or false".into()),
             Self::Word(words) => {
                 let known = words.iter().find(|(word, _)| *word == text);

@@ -1,14 +1,13 @@
 //! What is asked of how an arm swings.
 
-use stiffarm::chatter::{Asked, HeldBy, MeasuredTip, Method};
+use stiffarm::chatter::{Asked, HeldBy, MeasuredTip};
 use stiffarm::mass::{RigidBody, ToolWeight};
 use stiffarm::mill::MillHeld;
 use stiffarm::modes::{Damping, HeldTool};
 use stiffarm::place::PlaceOptions;
 use stiffarm::task::Task;
 
-use super::wishes::number;
-use super::{Refusal, Request, Verb};
+use super::{Refusal, Request, Verb, opt};
 
 impl Request {
     /// What the arm holds: the tool frame, and a body where the tool's mass is told.
@@ -18,11 +17,11 @@ impl Request {
     pub fn held_tool(&self) -> Result<HeldTool, Refusal> {
         let mut tool = HeldTool { flange_from_tool: self.held().tool(), body: None };
         let Some(ToolWeight { mass, centre }) = self.tool_weight() else {
-            let is_lone = self.is_given("tool-inertia-kg-m2");
-            return if is_lone { Err(self.missing("tool-mass-kg")) } else { Ok(tool) };
+            let is_lone = self.is_given(opt::TOOL_INERTIA_KG_M2);
+            return if is_lone { Err(self.missing(opt::TOOL_MASS_KG)) } else { Ok(tool) };
         };
-        let centre = centre.ok_or_else(|| self.missing("tool-com-mm"))?;
-        let inertia: Vec<f64> = self.all("tool-inertia-kg-m2", number);
+        let centre = centre.ok_or_else(|| self.missing(opt::TOOL_COM_MM))?;
+        let inertia: Vec<f64> = self.all(opt::TOOL_INERTIA_KG_M2);
         let body = inertia
             .try_into()
             .map_or_else(|_| RigidBody::point(mass, centre), |inertia: [f64; 6]| RigidBody::new(mass, centre, inertia));
@@ -32,12 +31,12 @@ impl Request {
 
     /// Damping of every mode, where it is given.
     pub fn damping(&self) -> Option<Damping> {
-        self.number("damping-ratio").map(Damping::Ratio)
+        self.get(opt::DAMPING_RATIO).map(Damping::Ratio)
     }
 
     /// Is it asked how the arm swings over a zone, rather than at one posture?
     pub fn swings_over_zone(&self) -> bool {
-        self.verb == Verb::Modes && self.is_given("task")
+        self.verb == Verb::Modes && self.is_given(opt::TASK)
     }
 
     /// The zone over which it is asked how the arm swings, and how it is placed.
@@ -46,8 +45,8 @@ impl Request {
     /// Where zone or place are missing, or together have no answer.
     pub fn swinging_zone(&self) -> Result<(Task, PlaceOptions), Refusal> {
         let task = self.task()?;
-        if !self.is_given("at") {
-            return Err(self.missing("at"));
+        if !self.is_given(opt::AT) {
+            return Err(self.missing(opt::AT));
         }
         let options = self.place_options(Some(task.zone))?;
         Ok((task, options))
@@ -55,8 +54,7 @@ impl Request {
 
     /// The table of what was measured at a tip, and what held it.
     pub fn frf(&self) -> Option<(String, HeldBy)> {
-        let held_by = if self.word("frf-on")? == "robot" { HeldBy::Robot } else { HeldBy::Rigid };
-        Some((self.texts("frf").pop()?, held_by))
+        Some((self.get(opt::FRF)?, self.get(opt::FRF_ON)?))
     }
 
     /// What is asked of a cut that may swing, with what was measured at its tip.
@@ -64,9 +62,8 @@ impl Request {
     /// # Errors
     /// Where the feed is missing.
     pub fn chatter<'a>(&self, measured: Option<&'a MeasuredTip>) -> Result<Asked<'a>, Refusal> {
-        let feed: [f64; 3] = self.all("feed", number).try_into().map_err(|_| self.missing("feed"))?;
-        let method = self.word("method").map(|word| if word == "teeth" { Method::Teeth } else { Method::Mean });
-        Ok(Asked { feed, damping: self.damping(), method, measured })
+        let feed: [f64; 3] = self.all(opt::FEED).try_into().map_err(|_| self.missing(opt::FEED))?;
+        Ok(Asked { feed, damping: self.damping(), method: self.get(opt::METHOD), measured })
     }
 
     /// What swings along a path, where it is asked whether its cuts do, with what was measured at the tip.
@@ -74,7 +71,7 @@ impl Request {
     /// # Errors
     /// A mass without its centre.
     pub fn path_chatter(&self, measured: Option<&MeasuredTip>) -> Result<Option<MillHeld>, Refusal> {
-        if !self.is_wished("chatter") {
+        if !self.is_wished(opt::CHATTER) {
             return Ok(None);
         }
         Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping(), measured: measured.cloned() }))
@@ -82,6 +79,6 @@ impl Request {
 
     /// How many modes are told.
     pub fn mode_count(&self) -> usize {
-        self.count("count")
+        self.value(opt::COUNT)
     }
 }

@@ -1,7 +1,7 @@
 //! What does `rank` or `place` ask whose task is a toolpath? The same as `mill`: of several robots, or at the best place of one.
 
-use super::settings::FILTERS;
-use super::{Pair, Refusal, Request, Spelling, Verb};
+use super::setting::FILTERS;
+use super::{Pair, Refusal, Request, Spelling, Verb, opt};
 use stiffarm::toolpath::Format;
 
 /// Whether the text of a task names a toolpath: a file with an ending that is known, or a built-in path that is no zone.
@@ -63,7 +63,7 @@ impl Request {
 
     /// Several robots are ranked on a path, rather than one that mills it.
     pub fn ranks_on_path(&self) -> bool {
-        self.verb == Verb::Mill && (self.is_given("robots") || self.filters().next().is_some())
+        self.verb == Verb::Mill && (self.is_given(opt::ROBOTS) || self.filters().next().is_some())
     }
 
     /// What chooses among robots has no meaning for one, nor with what is asked of one alone.

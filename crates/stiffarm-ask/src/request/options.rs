@@ -1,6 +1,7 @@
 //! How do the wishes of a request become options of the solvers, with the usual answer where nothing is said?
 
 use super::notation::Angle;
+use super::opt;
 use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::ModelKind;
@@ -76,13 +77,13 @@ impl Unasked {
     /// The option that says it.
     pub(super) const fn setting(self) -> &'static str {
         match self {
-            Self::LongSide | Self::FreeAtOnePlace => "angle",
-            Self::Middle => "at",
-            Self::Yaw | Self::YawAtOnePlace => "yaw-deg",
-            Self::CellInPlane => "within",
-            Self::Leaning => "tool-direction",
-            Self::Floor => "floor",
-            Self::Scale => "scale",
+            Self::LongSide | Self::FreeAtOnePlace => opt::ANGLE.name,
+            Self::Middle => opt::AT.name,
+            Self::Yaw | Self::YawAtOnePlace => opt::YAW_DEG.name,
+            Self::CellInPlane => opt::WITHIN.name,
+            Self::Leaning => opt::TOOL_DIRECTION.name,
+            Self::Floor => opt::FLOOR.name,
+            Self::Scale => opt::SCALE.name,
         }
     }
 }

@@ -1,30 +1,26 @@
 //! What does a request ask of a toolpath, and of a process?
 
 use super::cell::CellWish;
-use super::kind::Value;
 use super::notation::of_tool;
-use super::wishes::number;
-use super::{Force, Refusal, Request, Verb};
+use super::words::BodyUnit;
+use super::{Force, Refusal, Request, Verb, opt};
 use stiffarm::cell::Block;
 use stiffarm::load::Load;
-use stiffarm::mill::{Acting, ClearOf, ErrorPart, MillOptions, PartPlacement, PathGround, WorkFrame};
+use stiffarm::mill::{Acting, ClearOf, MillOptions, PartPlacement, PathGround, WorkFrame};
 use stiffarm::place::PlaceOptions;
 use stiffarm::spatial::Pose;
-use stiffarm::toolpath::{
-    ArcCentres, ArcSense, Builtin, CutterCompensation, Format, Gathered, IncrementalCycles, LengthUnit, Move,
-    ReadOptions, Rotary, Steps,
-};
+use stiffarm::toolpath::{Builtin, Format, Gathered, Move, ReadOptions, Steps};
 
 /// What may be said of files, and of which: see `toolpath`.
 const SILENT_OF: [(&str, &[Format]); 8] = [
-    ("read-as", &Format::ALL),
-    ("unit", &Format::ALL),
-    ("arc-centres", &[Format::GCode]),
-    ("arc-sense", &[Format::Apt]),
-    ("cutter-compensation", &[Format::GCode, Format::Apt]),
-    ("incremental-cycles", &[Format::GCode]),
-    ("rotary", &[Format::GCode]),
-    ("columns", &[Format::Csv]),
+    (opt::READ_AS.name, &Format::ALL),
+    (opt::UNIT.name, &Format::ALL),
+    (opt::ARC_CENTRES.name, &[Format::GCode]),
+    (opt::ARC_SENSE.name, &[Format::Apt]),
+    (opt::CUTTER_COMPENSATION.name, &[Format::GCode, Format::Apt]),
+    (opt::INCREMENTAL_CYCLES.name, &[Format::GCode]),
+    (opt::ROTARY.name, &[Format::GCode]),
+    (opt::COLUMNS.name, &[Format::Csv]),
 ];
 
 impl Request {
@@ -33,13 +29,15 @@ impl Request {
     /// # Errors
     /// Where it is missing.
     pub fn path(&self) -> Result<String, Refusal> {
-        self.texts("path").pop().ok_or_else(|| self.missing("path"))
+        self.required(opt::PATH)
     }
 
     /// The one tool of the path whose cuts are meant, where that is said.
+    ///
+    /// # Panics
+    /// Never: the row takes no larger number.
     pub fn only_tool(&self) -> Option<u32> {
-        let whole = |value| if let Value::Whole(whole) = value { u32::try_from(whole).ok() } else { None };
-        self.one("only-tool", whole)
+        self.get(opt::ONLY_TOOL).map(|number| u32::try_from(number).expect("the row's range is that of a u32"))
     }
 
     /// The process file's name.
@@ -47,7 +45,7 @@ impl Request {
     /// # Errors
     /// Where it is missing.
     pub fn process(&self) -> Result<String, Refusal> {
-        self.given_process().ok_or_else(|| self.missing("process"))
+        self.given_process().ok_or_else(|| self.missing(opt::PROCESS))
     }
 
     /// The same, where one is given: that of the tool that is meant, where each has its own.
@@ -62,7 +60,7 @@ impl Request {
             let (tool, name) = of_tool(&text);
             (tool, name.to_owned())
         };
-        self.texts("process").into_iter().map(named).collect()
+        self.all(opt::PROCESS).into_iter().map(named).collect()
     }
 
     /// Every tool of the path mills with a process of its own.
@@ -72,10 +70,7 @@ impl Request {
 
     /// How far the tips of tools stand out of the spindle, by their numbers, m.
     fn tool_lengths(&self) -> Vec<(u32, f64)> {
-        self.all(
-            "tool-lengths-mm",
-            |value| if let Value::OfTool(tool, metres) = value { Some((tool, metres)) } else { None },
-        )
+        self.all(opt::TOOL_LENGTHS_MM)
     }
 
     /// The tip of a tool of the path in the flange frame: it stands out of the spindle where lengths are told, else it is where all of them are.
@@ -88,7 +83,7 @@ impl Request {
             return Ok(spindle);
         }
         let of = lengths.iter().find(|(number, _)| Some(*number) == tool);
-        let missing = || self.refused("tool-lengths-mm", format!("has no length of {}", tool_name(tool)));
+        let missing = || self.refused(opt::TOOL_LENGTHS_MM, format!("has no length of {}", tool_name(tool)));
         of.map(|(_, length)| spindle * Pose::translation(0.0, 0.0, *length)).ok_or_else(missing)
     }
 
@@ -99,7 +94,7 @@ impl Request {
         }
         let tools: Vec<Option<u32>> = self.processes().into_iter().map(|(tool, _)| tool).collect();
         let lengths: Vec<Option<u32>> = self.tool_lengths().into_iter().map(|(tool, _)| Some(tool)).collect();
-        for (name, of) in [("process", &tools), ("tool-lengths-mm", &lengths)] {
+        for (name, of) in [(opt::PROCESS.name, &tools), (opt::TOOL_LENGTHS_MM.name, &lengths)] {
             if let Some(twice) = (1..of.len()).find(|&i| of[..i].contains(&of[i])) {
                 let why = match of[twice] {
                     None => "names several files; expected one, or one for each tool as T1=FILE,T2=FILE".into(),
@@ -111,11 +106,11 @@ impl Request {
         let is_by_tool = tools.iter().any(Option::is_some);
         if is_by_tool && tools.contains(&None) {
             let why = "names one file for all tools and one for a single tool; expected T1=FILE,T2=FILE".to_owned();
-            return Err(self.refused("process", why));
+            return Err(self.refused(opt::PROCESS, why));
         }
         let only = self.only_tool();
         if is_by_tool && only.is_some_and(|tool| !tools.contains(&Some(tool))) {
-            return Err(self.refused("process", format!("has no file for {}, which mills", tool_name(only))));
+            return Err(self.refused(opt::PROCESS, format!("has no file for {}, which mills", tool_name(only))));
         }
         if self.mills_by_tool() {
             return self.check_by_tool(lengths.is_empty());
@@ -128,13 +123,13 @@ impl Request {
         if has_no_lengths && !self.is_dry() {
             let why =
                 "is missing; expected how far each tool stands out of the spindle, such as T1=82.5,T2=140".to_owned();
-            return Err(self.refused("tool-lengths-mm", why));
+            return Err(self.refused(opt::TOOL_LENGTHS_MM, why));
         }
         for (name, why) in [
-            ("robots", "ranks robots with one tool; expected only-tool beside processes by tool"),
-            ("pin", "pins the rolls of one tool; expected only-tool beside processes by tool"),
-            ("stock-mm", "follows one tool; expected only-tool beside processes by tool"),
-            ("frf", "was measured of one tool; expected only-tool beside processes by tool"),
+            (opt::ROBOTS.name, "ranks robots with one tool; expected only-tool beside processes by tool"),
+            (opt::PIN.name, "pins the rolls of one tool; expected only-tool beside processes by tool"),
+            (opt::STOCK_MM.name, "follows one tool; expected only-tool beside processes by tool"),
+            (opt::FRF.name, "was measured of one tool; expected only-tool beside processes by tool"),
         ] {
             if self.is_given(name) {
                 return Err(self.refused(name, why.into()));
@@ -142,7 +137,7 @@ impl Request {
         }
         if self.at().is_none() && !self.is_dry() {
             let why = "is missing; expected where the part stands: its best place is not sought for several tools at once, but with only-tool for each";
-            return Err(self.refused("at", why.into()));
+            return Err(self.refused(opt::AT, why.into()));
         }
         Ok(())
     }
@@ -152,20 +147,20 @@ impl Request {
     /// # Errors
     /// A force of zero, or of more than 1 MN.
     pub fn acting(&self) -> Result<Option<Acting>, Refusal> {
-        let force = self.one("force-n", |value| if let Value::Force(force) = value { Some(force) } else { None });
+        let force = self.get(opt::FORCE_N);
         let Some(force) = force else { return Ok(None) };
         let (acting, load) = match force {
             Force::Size(newtons) => (Acting::Any(newtons), Load::worst(newtons)),
             Force::Along(force) => (Acting::Known { force, moment: 0.0 }, Load::along_tool(force, None)),
         };
-        load.map(|_| Some(acting)).map_err(|error| self.refused("force-n", error.to_string()))
+        load.map(|_| Some(acting)).map_err(|error| self.refused(opt::FORCE_N, error.to_string()))
     }
 
     /// Where the path's origin stands, where that is given: in the cell, where the robot is mounted in one.
     pub fn at(&self) -> Option<PartPlacement> {
         let base_from_cell = self.mount().map_or_else(Pose::identity, |mount| mount.cell_from_base.inverse());
         let at = |at: [f64; 3], yaw: f64| Some(PartPlacement { at, yaw: yaw.to_radians(), base_from_cell });
-        match *self.all("at", number).as_slice() {
+        match *self.all(opt::AT).as_slice() {
             [x, y, z] => at([x, y, z], 0.0),
             [x, y, z, yaw] => at([x, y, z], yaw),
             _ => None,
@@ -174,7 +169,7 @@ impl Request {
 
     /// The corners of the block from which a part is cut, m.
     pub fn stock(&self) -> Option<[[f64; 3]; 2]> {
-        let block = self.one("stock-mm", |value| if let Value::Block(block) = value { Some(block) } else { None });
+        let block = self.get(opt::STOCK_MM);
         let Block { x, y, z } = block?;
         let sides = [x, y, z];
         Some([sides.map(|side| side.min() / 1e3), sides.map(|side| side.max() / 1e3)])
@@ -186,25 +181,20 @@ impl Request {
     /// As [`Request::path_ground`].
     pub fn mill_options(&self) -> Result<MillOptions, Refusal> {
         let PathGround { margins, cell, .. } = self.path_ground()?;
-        let clearance = self.number("clearance-mm").map(|mm| mm / 1e3);
+        let clearance = self.get(opt::CLEARANCE_MM).map(|mm| mm / 1e3);
         // Of several robots the bodies are guessed: they are looked at where that is asked, or what they may touch is given.
-        let bodies = ["part", "fixture", "stock-mm", "stick-out-mm", "keep-out"];
+        let bodies =
+            [opt::PART.name, opt::FIXTURE.name, opt::STOCK_MM.name, opt::STICK_OUT_MM.name, opt::KEEP_OUT.name];
         let is_looked_at = !self.ranks_on_path() || bodies.iter().any(|name| self.is_given(name));
         let clearance = clearance.or_else(|| is_looked_at.then_some(0.0));
         let usual = MillOptions::usual();
-        let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
-        let roll = |value| if let Value::Roll(roll) = value { Some(roll) } else { None };
+        let radians = |option, usual: f64| self.get(option).map_or(usual, f64::to_radians);
         Ok(MillOptions {
-            roll: self.one("roll", roll).unwrap_or(usual.roll),
-            part: match self.word("error") {
-                Some("across") => ErrorPart::Across,
-                Some("axial") => ErrorPart::Axial,
-                Some("normal") => ErrorPart::Normal,
-                _ => ErrorPart::Total,
-            },
-            limit_margin: radians("limit-margin-deg", usual.limit_margin),
-            singular_margin: radians("singular-margin-deg", usual.singular_margin),
-            share_of_speed: self.number("speed-share").unwrap_or(usual.share_of_speed),
+            roll: self.get(opt::ROLL).unwrap_or(usual.roll),
+            part: self.value(opt::ERROR),
+            limit_margin: radians(opt::LIMIT_MARGIN_DEG, usual.limit_margin),
+            singular_margin: radians(opt::SINGULAR_MARGIN_DEG, usual.singular_margin),
+            share_of_speed: self.get(opt::SPEED_SHARE).unwrap_or(usual.share_of_speed),
             tool_weight: self.tool_weight(),
             clear_of: clearance.map(|clearance| {
                 let floor = margins.floor;
@@ -215,54 +205,53 @@ impl Request {
 
     /// The STL file of the part, where one is given.
     pub fn part(&self) -> Option<String> {
-        self.texts("part").pop()
+        self.get(opt::PART)
     }
 
     /// The same of what holds it.
     pub fn fixture(&self) -> Option<String> {
-        self.texts("fixture").pop()
+        self.get(opt::FIXTURE)
     }
 
     /// The unit of STL files, m.
     pub fn stl_unit(&self) -> f64 {
-        match self.word("part-unit") {
-            Some("inch") => 0.0254,
-            Some("m") => 1.0,
-            _ => 1e-3,
+        match self.value(opt::PART_UNIT) {
+            BodyUnit::Millimetre => 1e-3,
+            BodyUnit::Inch => 0.0254,
+            BodyUnit::Metre => 1.0,
         }
     }
 
     /// How far the cutter of a tool of the path stands out of the spindle, m, where that is said.
     pub fn stick_out(&self, tool: Option<u32>) -> Option<f64> {
         let of_tool = |(number, length): (u32, f64)| (Some(number) == tool).then_some(length);
-        let given = self.number("stick-out-mm").map(|mm| mm / 1e3);
+        let given = self.get(opt::STICK_OUT_MM).map(|mm| mm / 1e3);
         given.or_else(|| self.tool_lengths().into_iter().find_map(of_tool))
     }
 
     /// A program is wanted although the arm touches something.
     pub fn allows_contact(&self) -> bool {
-        self.is_wished("allow-contact")
+        self.is_wished(opt::ALLOW_CONTACT)
     }
 
     /// Where along the path the roll is pinned, m, and to which angle, rad.
     pub fn pins(&self) -> Vec<[f64; 2]> {
-        self.all("pin", |value| if let Value::Pin(pin) = value { Some(pin) } else { None })
+        self.all(opt::PIN)
     }
 
     /// How the place of the work was found.
     pub fn work_frame(&self) -> WorkFrame {
-        let asked = self.word("work-frame");
-        WorkFrame::ALL.into_iter().find(|frame| asked == Some(frame.name())).unwrap_or_default()
+        self.get(opt::WORK_FRAME).unwrap_or_default()
     }
 
     /// The deflection is to be taken out.
     pub fn is_compensated(&self) -> bool {
-        self.one("compensate", |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
+        self.get(opt::COMPENSATE) == Some(true)
     }
 
     /// By how much the logarithm of every drive's compliance may be off, where that is said.
     pub fn stiffness_uncertainty(&self) -> Option<f64> {
-        self.number("stiffness-uncertainty")
+        self.get(opt::STIFFNESS_UNCERTAINTY)
     }
 
     /// Where all of a path must stand, and what it keeps besides: what a zone keeps.
@@ -282,7 +271,7 @@ impl Request {
 
     /// Only what was understood of the path is told.
     pub fn is_dry(&self) -> bool {
-        self.is_wished("dry")
+        self.is_wished(opt::DRY)
     }
 
     /// How the path of this name is written: as was said, or as its name ends.
@@ -294,20 +283,19 @@ impl Request {
         if Builtin::is_meant(name) {
             return Ok(Format::Csv);
         }
-        let said = self.word("read-as").and_then(|word| Format::ALL.into_iter().find(|format| format.name() == word));
-        said.or_else(|| Format::of_name(name)).ok_or_else(|| {
+        self.get(opt::READ_AS).or_else(|| Format::of_name(name)).ok_or_else(|| {
             let why = Format::not_read(name).map_or_else(
                 || format!("does not say by its ending how it is written; expected {}, or read-as", Format::ENDINGS),
                 |what| format!("is by its ending {what}"),
             );
-            self.refused("path", why)
+            self.refused(opt::PATH, why)
         })
     }
 
     /// That what is said where a file is silent is said of such a file as this one: a path built in is silent of nothing, and each format
     /// of something else.
     pub(super) fn check_silent(&self) -> Result<(), Refusal> {
-        let Some(path) = self.texts("path").pop().filter(|_| self.verb == Verb::Mill) else { return Ok(()) };
+        let Some(path) = self.get(opt::PATH).filter(|_| self.verb == Verb::Mill) else { return Ok(()) };
         let format = if Builtin::is_meant(&path) {
             None
         } else {
@@ -331,32 +319,15 @@ impl Request {
 
     /// What is said where a file of a path is silent.
     pub fn read_options(&self) -> ReadOptions {
-        let cutter_compensation = match self.word("cutter-compensation") {
-            Some("centre") => CutterCompensation::Centre,
-            _ => CutterCompensation::Refuse,
-        };
         ReadOptions {
-            unit: self.word("unit").map(|word| if word == "mm" { LengthUnit::Millimetre } else { LengthUnit::Inch }),
-            arc_centres: self
-                .word("arc-centres")
-                .map(|word| if word == "absolute" { ArcCentres::Absolute } else { ArcCentres::Incremental }),
-            cutter_compensation,
-            incremental_cycles: self.word("incremental-cycles").map(|word| match word {
-                "nist" => IncrementalCycles::Nist,
-                "r-plane" => IncrementalCycles::FromR,
-                _ => IncrementalCycles::FromInitial,
-            }),
-            rotary: self.word("rotary").map(|word| match word {
-                "head-ac" => Rotary::HeadAc,
-                "head-bc" => Rotary::HeadBc,
-                "table-ac" => Rotary::TableAc,
-                _ => Rotary::TableBc,
-            }),
-            arc_sense: self
-                .word("arc-sense")
-                .map(|word| if word == "left" { ArcSense::LeftHand } else { ArcSense::RightHand }),
-            columns: self.texts("columns"),
-            feed: self.number("feed-mm-per-min").map(|feed| feed / 60e3),
+            unit: self.get(opt::UNIT),
+            arc_centres: self.get(opt::ARC_CENTRES),
+            cutter_compensation: self.value(opt::CUTTER_COMPENSATION),
+            incremental_cycles: self.get(opt::INCREMENTAL_CYCLES),
+            rotary: self.get(opt::ROTARY),
+            arc_sense: self.get(opt::ARC_SENSE),
+            columns: self.all(opt::COLUMNS),
+            feed: self.get(opt::FEED_MM_PER_MIN).map(|feed| feed / 60e3),
         }
     }
 
@@ -370,14 +341,14 @@ impl Request {
     /// # Errors
     /// Where they are cut into too many samples, by the name of the step.
     pub fn all_moves(&self, gathered: Gathered) -> Result<Vec<Move>, Refusal> {
-        gathered.whole().map_err(|error| self.refused("step-mm", error.to_string()))
+        gathered.whole().map_err(|error| self.refused(opt::STEP_MM, error.to_string()))
     }
 
     /// How finely a path is cut into samples.
     pub fn steps(&self) -> Steps {
-        let metres = |name: &str, usual: f64| self.number(name).map_or(usual, |mm| mm / 1e3);
+        let metres = |option, usual: f64| self.get(option).map_or(usual, |mm: f64| mm / 1e3);
         let usual = Steps::USUAL;
-        Steps { chord: metres("chord-mm", usual.chord), longest: metres("step-mm", usual.longest), ..usual }
+        Steps { chord: metres(opt::CHORD_MM, usual.chord), longest: metres(opt::STEP_MM, usual.longest), ..usual }
     }
 }
 

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::settings::{Setting, Verb};
+use super::setting::Setting;
+use super::verb::Verb;
 use stiffarm::plain::on_one_line;
 
 /// How a reader of [`SETTINGS`](super::SETTINGS) spells an option, and where it stands.

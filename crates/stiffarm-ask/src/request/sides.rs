@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::job::{self, Job};
-use super::{Pair, Refusal, Request, Spelling, Verb};
+use super::{Pair, Refusal, Request, Spelling, Verb, opt};
 use stiffarm::catalogue::files::{self, Unreadable};
 
 /// A setup of which nothing can be asked.
@@ -23,8 +23,7 @@ impl Request {
     /// # Errors
     /// Where one is missing.
     pub fn setups(&self) -> Result<[String; 2], Refusal> {
-        let one = |name: &str| self.texts(name).pop().ok_or_else(|| self.missing(name));
-        Ok([one("a")?, one("b")?])
+        Ok([self.required(opt::A)?, self.required(opt::B)?])
     }
 
     /// What is asked of a setup, as of [`Verb::Place`]: by its job file where it is one, else of the robot of this name or file.

@@ -1,13 +1,14 @@
 //! What does a request ask? Its values by what they mean, in SI, with the default where nothing was given.
 
 use super::cell::CellWish;
-use super::kind::Value;
-use super::settings::FILTERS;
-use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Verb, Wanted, default_of};
+use super::notation::of_tool;
+use super::opt::{self, Opt};
+use super::setting::FILTERS;
+use super::words::{ModelName, Quantity, StiffnessOf};
+use super::{Angle, Held, Kind, Layer, Refusal, Request, Setting, Spelling, Unasked, Verb, Wanted, default_of};
 use nalgebra::Vector3;
 use stiffarm::catalogue::{Filter, with_compliance};
 use stiffarm::cell::{Mount, Window};
-use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::inverse::Configuration;
 use stiffarm::load::Load;
@@ -17,7 +18,7 @@ use stiffarm::model::ModelKind;
 use stiffarm::place::{Column, Margins, Orientation, PlaceOptions, Within};
 use stiffarm::plane::Elbow;
 use stiffarm::prior::{as_in_the_paper, with_prior};
-use stiffarm::robot::{Robot, Status};
+use stiffarm::robot::Robot;
 use stiffarm::study::{Contender, Mark, StudyOptions};
 use stiffarm::task::{Task, Zone};
 use stiffarm::work::{WorkPlacement, WorkPlane};
@@ -25,23 +26,10 @@ use stiffarm::work::{WorkPlacement, WorkPlane};
 /// Of a zone that stands at one place on either side, m: for rounding.
 const ROOM: f64 = 1e-9;
 
-/// What the figure of a map in space shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
-    /// The worst deflection.
-    Deflection,
-    /// How far the nearest joint limit is.
-    LimitMargin,
-    /// How far the nearest singular posture is.
-    SingularMargin,
-    /// How slow the arm swings first.
-    FirstFrequency,
-}
-
 impl Request {
     /// The model has all six drives.
     pub fn is_spatial(&self) -> bool {
-        self.verb == Verb::Modes || self.word("model") == Some("spatial")
+        self.verb == Verb::Modes || self.get(opt::MODEL) == Some(ModelName::Spatial)
     }
 
     /// The robot's name or path.
@@ -49,7 +37,7 @@ impl Request {
     /// # Errors
     /// Where it is missing.
     pub fn robot(&self) -> Result<String, Refusal> {
-        self.texts("robot").pop().ok_or_else(|| self.missing("robot"))
+        self.required(opt::ROBOT)
     }
 
     /// Names, patterns, files, folders and sets, in the order given.
@@ -58,9 +46,9 @@ impl Request {
     pub fn robots(&self) -> Vec<String> {
         let is_chosen = self.verb.settings().any(|row| row.heading == FILTERS && self.is_given(row.name));
         let usual = if is_chosen { "all" } else { "paper" };
-        let is_of_one = self.verb.setting("robots").is_none() || self.verb == Verb::Mill && !self.ranks_on_path();
-        if self.is_given("robots") || is_of_one {
-            return self.texts("robots");
+        let is_of_one = self.verb.setting(opt::ROBOTS).is_none() || self.verb == Verb::Mill && !self.ranks_on_path();
+        if self.is_given(opt::ROBOTS) || is_of_one {
+            return self.all(opt::ROBOTS);
         }
         vec![usual.into()]
     }
@@ -70,7 +58,7 @@ impl Request {
     /// # Errors
     /// Where it is missing.
     pub fn task(&self) -> Result<Task, Refusal> {
-        self.tasks().into_iter().next().ok_or_else(|| self.missing("task"))
+        self.tasks().into_iter().next().ok_or_else(|| self.missing(opt::TASK))
     }
 
     /// The zones; of a study its shapes at size 1.
@@ -78,7 +66,7 @@ impl Request {
     /// # Panics
     /// Never: that parts have the faces that are asked for is checked when the request is read.
     pub fn tasks(&self) -> Vec<Task> {
-        let faces = self.texts("faces");
+        let faces = self.all(opt::FACES);
         let with_faces = |task: Task| match &task.part {
             Some(part) if !faces.is_empty() => part.with_faces(&faces).expect("checked when it was read").into(),
             _ => task,
@@ -88,13 +76,12 @@ impl Request {
 
     /// The same with all the faces that parts have.
     pub(super) fn works(&self) -> Vec<Task> {
-        let name = if self.verb.setting("tasks").is_some() { "tasks" } else { "task" };
-        if self.verb.setting(name).is_some() { self.all(name, task) } else { Vec::new() }
+        self.all(if self.verb.setting(opt::TASKS).is_some() { opt::TASKS } else { opt::TASK })
     }
 
     /// The zone that a map places.
     pub fn zone(&self) -> Option<Task> {
-        self.one("zone", task)
+        self.get(opt::ZONE)
     }
 
     /// Which model, with the tool where it has one.
@@ -108,34 +95,36 @@ impl Request {
     /// Where no robot has such drives: all of them rigid, or too soft for the gravity compensator.
     pub fn equipped(&self, robot: Robot) -> Result<Robot, Refusal> {
         let robot = self.with_asked_stiffness(robot)?;
-        Ok(if self.is_wished("pendant-as-file") { robot.with_pendant_given() } else { robot })
+        Ok(if self.is_wished(opt::PENDANT_AS_FILE) { robot.with_pendant_given() } else { robot })
     }
 
     fn with_asked_stiffness(&self, robot: Robot) -> Result<Robot, Refusal> {
-        let compliances = self.all("drive-urad-per-nm", number);
+        let compliances = self.all(opt::DRIVE_URAD_PER_NM);
         // k = 1 / K, in urad/(N m).
-        let stiffnesses = self.all("stiffness-nm-per-rad", number).into_iter().map(|stiffness| 1e6 / stiffness);
-        let name = if compliances.is_empty() { "stiffness-nm-per-rad" } else { "drive-urad-per-nm" };
+        let stiffnesses = self.all(opt::STIFFNESS_NM_PER_RAD).into_iter().map(|stiffness| 1e6 / stiffness);
+        let option = if compliances.is_empty() { opt::STIFFNESS_NM_PER_RAD } else { opt::DRIVE_URAD_PER_NM };
         let given: Vec<f64> = compliances.into_iter().chain(stiffnesses).collect();
         let Some(&first) = given.first() else { return self.with_usual_stiffness(robot) };
         let each = std::array::from_fn(|drive| given.get(drive).copied().unwrap_or(first));
         with_compliance(&robot, each).map_err(|faults| {
             let why = faults.faults.first().map_or_else(String::new, |fault| fault.message.clone());
-            self.refused(name, format!("makes no sense of {}: {why}", robot.name))
+            self.refused(option, format!("makes no sense of {}: {why}", robot.name))
         })
     }
 
     /// The robot with the drives of the paper, of the prior, or of its file.
     fn with_usual_stiffness(&self, robot: Robot) -> Result<Robot, Refusal> {
-        match self.word("stiffness") {
-            Some("paper") => Ok(as_in_the_paper(&robot)),
-            Some("prior") => with_prior(&robot).map_err(|error| self.refused("stiffness", format!("prior: {error}"))),
-            Some(_) if robot.stiffness_is_assumed => {
+        match self.get(opt::STIFFNESS) {
+            Some(StiffnessOf::Paper) => Ok(as_in_the_paper(&robot)),
+            Some(StiffnessOf::Prior) => {
+                with_prior(&robot).map_err(|error| self.refused(opt::STIFFNESS, format!("prior: {error}")))
+            }
+            Some(StiffnessOf::File) if robot.stiffness_is_assumed => {
                 let why = format!(
                     "file: the file of {} does not say how stiff its drives are; prior or paper do",
                     robot.name
                 );
-                Err(self.refused("stiffness", why))
+                Err(self.refused(opt::STIFFNESS, why))
             }
             // In space all six drives count, and nobody's are alike. Of what no size is known that is all that can be said.
             None if robot.stiffness_is_assumed
@@ -150,15 +139,16 @@ impl Request {
 
     /// What was given that may be the name of a file: paths, tables, processes, robots.
     pub fn files(&self) -> Vec<String> {
-        let is_file = |row: &&'static super::Setting| {
-            matches!(row.kind, super::Kind::File | super::Kind::FileOfTool | super::Kind::Robot)
+        let name = |kind: Kind, text: &String| match kind {
+            Kind::FileOfTool => Some(of_tool(text).1.to_owned()),
+            Kind::File | Kind::Robot => Some(text.clone()),
+            _ => None,
         };
-        let name = |row: &super::Setting, text: String| match row.kind {
-            super::Kind::FileOfTool => super::notation::of_tool(&text).1.to_owned(),
-            _ => text,
+        let names = |row: &'static Setting| {
+            let texts = self.find(row.name).into_iter().flat_map(|given| &given.texts);
+            texts.filter_map(move |text| name(row.kind, text))
         };
-        let names = |row: &'static super::Setting| self.texts(row.name).into_iter().map(move |text| name(row, text));
-        self.verb.settings().filter(is_file).flat_map(names).collect()
+        self.verb.settings().flat_map(names).collect()
     }
 
     /// The joint angles of one posture, deg.
@@ -166,25 +156,24 @@ impl Request {
     /// # Errors
     /// Where they are missing.
     pub fn joints_deg(&self) -> Result<[f64; 6], Refusal> {
-        self.all("joints-deg", number).try_into().map_err(|_| self.missing("joints-deg"))
+        self.all(opt::JOINTS_DEG).try_into().map_err(|_| self.missing(opt::JOINTS_DEG))
     }
 
     /// Weight of the tool, where it is told.
     pub(super) fn tool_weight(&self) -> Option<ToolWeight> {
-        let centre: Result<[f64; 3], _> = self.all("tool-com-mm", number).try_into();
+        let centre: Result<[f64; 3], _> = self.all(opt::TOOL_COM_MM).try_into();
         let centre = centre.ok().map(|mm| Vector3::from(mm) / 1e3);
-        self.number("tool-mass-kg").map(|mass| ToolWeight { mass, centre })
+        self.get(opt::TOOL_MASS_KG).map(|mass| ToolWeight { mass, centre })
     }
 
     /// Largest deflection that is acceptable, mm.
     pub fn tolerance_mm(&self) -> Option<f64> {
-        self.number("tolerance-mm")
+        self.get(opt::TOLERANCE_MM)
     }
 
     /// Of a rectangle.
     pub(super) fn angle(&self) -> Angle {
-        let angle = |value| if let Value::Angle(angle) = value { Some(angle) } else { None };
-        self.one("angle", angle).unwrap_or(Angle::Axes)
+        self.get(opt::ANGLE).unwrap_or(Angle::Axes)
     }
 
     fn wanted(&self) -> Wanted {
@@ -201,7 +190,7 @@ impl Request {
         };
         let within_or_anywhere = Some(within.unwrap_or(Within::ANYWHERE));
         let margins = self.margins(within);
-        Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.number("gap") }
+        Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.get(opt::GAP) }
     }
 
     /// The one window that lies ahead of the robot wherever that is turned to, where it is the only one.
@@ -221,17 +210,16 @@ impl Request {
     /// What every place keeps: what was given, and what is usual.
     pub(super) fn margins(&self, within: Option<Within>) -> Margins {
         let usual = Margins::usual();
-        let floor = |value| if let Value::Floor(floor) = value { Some(floor) } else { None };
-        let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
+        let radians = |option, usual: f64| self.get(option).map_or(usual, f64::to_radians);
         // Whoever says where a zone may stand means it, below the base and behind the robot, too.
         // The middle alone says nothing of the floor.
         let is_low = within.is_some_and(|within| within.z.min().is_finite());
         Margins {
-            limit: radians("limit-margin-deg", usual.limit),
-            singular: radians("singular-margin-deg", usual.singular),
-            column: self.number("clear-of-base-m").map_or(usual.column, Column::Radius),
-            front: within.is_none() && !self.is_given("at"),
-            floor: self.one("floor", floor).unwrap_or(usual.floor.filter(|_| !is_low)),
+            limit: radians(opt::LIMIT_MARGIN_DEG, usual.limit),
+            singular: radians(opt::SINGULAR_MARGIN_DEG, usual.singular),
+            column: self.get(opt::CLEAR_OF_BASE_M).map_or(usual.column, Column::Radius),
+            front: within.is_none() && !self.is_given(opt::AT),
+            floor: self.get(opt::FLOOR).unwrap_or(usual.floor.filter(|_| !is_low)),
         }
     }
 
@@ -247,7 +235,7 @@ impl Request {
         let unanswered = |unasked| self.unanswered(unasked);
         let mut options = self.wanted().options(&self.model(), &self.held(), zone).map_err(unanswered)?;
         options.tool_weight = self.tool_weight();
-        let windows = match *self.all("at", number).as_slice() {
+        let windows = match *self.all(opt::AT).as_slice() {
             [x, z] => vec![self.only_place(&mut options, [x, z], zone).map_err(unanswered)?],
             _ => self.windows(),
         };
@@ -284,12 +272,12 @@ impl Request {
     }
 
     pub(super) fn windows(&self) -> Vec<Window> {
-        self.all("within", window)
+        self.all(opt::WITHIN)
     }
 
     /// How the base is mounted, where that is said.
     pub fn mount(&self) -> Option<Mount> {
-        self.one("mount", |value| if let Value::Mount(mount) = value { Some(mount) } else { None })
+        self.get(opt::MOUNT)
     }
 
     /// What is asked of the cell.
@@ -297,9 +285,9 @@ impl Request {
         CellWish {
             mount: self.mount(),
             windows,
-            keep_out: self.all("keep-out", |value| if let Value::Block(block) = value { Some(block) } else { None }),
-            clearance: self.number("clearance-mm").map(|mm| mm / 1e3),
-            has_floor: self.is_given("floor"),
+            keep_out: self.all(opt::KEEP_OUT),
+            clearance: self.get(opt::CLEARANCE_MM).map(|mm| mm / 1e3),
+            has_floor: self.is_given(opt::FLOOR),
         }
     }
 
@@ -320,12 +308,11 @@ impl Request {
 
     /// How the tool is held, in space.
     pub fn held(&self) -> Held {
-        let tool = |value| if let Value::Tool(tool) = value { Some(tool) } else { None };
         Held {
-            tool: self.one("tool-mm", tool).or_else(|| self.one("tool", tool)),
-            elevation_deg: self.number("tool-direction"),
-            yaw: self.one("yaw-deg", interval),
-            roll_deg: self.number("roll-deg"),
+            tool: self.get(opt::TOOL_MM).or_else(|| self.get(opt::TOOL)),
+            elevation_deg: self.get(opt::TOOL_DIRECTION),
+            yaw: self.get(opt::YAW_DEG),
+            roll_deg: self.get(opt::ROLL_DEG),
         }
     }
 
@@ -334,7 +321,8 @@ impl Request {
     }
 
     /// What an option means has no answer.
-    pub(crate) fn refused(&self, name: &str, why: String) -> Refusal {
+    pub(crate) fn refused(&self, name: impl AsRef<str>, why: String) -> Refusal {
+        let name = name.as_ref();
         let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
         let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
         Refusal::Unanswered { at, name, why }
@@ -345,35 +333,29 @@ impl Request {
     /// # Panics
     /// Of a verb that has no such option.
     fn spacing(&self) -> Spacing {
-        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
-        let points = || Spacing::Points(self.one("size", whole).expect("the row has a default"));
-        self.number("step-m").map_or_else(points, Spacing::Step)
+        let points = || Spacing::Points(self.value(opt::SIZE));
+        self.get(opt::STEP_M).map_or_else(points, Spacing::Step)
     }
 
     /// The one elbow side of a map in the plane.
     fn elbow(&self) -> Option<Elbow> {
-        self.word("elbow").map(|side| if side == "up" { Elbow::Up } else { Elbow::Down })
+        self.get(opt::ELBOW)
     }
 
     /// The one posture of a map in space.
     fn posture(&self) -> Option<Configuration> {
-        self.one("posture", |value| if let Value::Posture(posture) = value { Some(posture) } else { None })
+        self.get(opt::POSTURE)
     }
 
     /// Is it mapped how slow the arm swings first?
     pub fn maps_frequency(&self) -> bool {
-        self.word("quantity") == Some("first-frequency")
+        self.get(opt::QUANTITY) == Some(Quantity::FirstFrequency)
     }
 
     /// What the figure of a map in space shows.
     pub fn layer(&self) -> Layer {
-        match self.word("layer") {
-            Some("limit-margin") => Layer::LimitMargin,
-            Some("singular-margin") => Layer::SingularMargin,
-            Some("first-frequency") => Layer::FirstFrequency,
-            None if self.maps_frequency() => Layer::FirstFrequency,
-            _ => Layer::Deflection,
-        }
+        let usual = if self.maps_frequency() { Layer::FirstFrequency } else { Layer::Deflection };
+        self.get(opt::LAYER).unwrap_or(usual)
     }
 
     /// From where to where colours and bars of the figure go, in the unit of what is drawn.
@@ -381,7 +363,7 @@ impl Request {
     /// # Errors
     /// Where both ends are the same.
     pub fn scale(&self) -> Result<Option<Interval>, Refusal> {
-        let scale = self.one("scale", interval);
+        let scale = self.get(opt::SCALE);
         match scale.filter(|scale| scale.width() == 0.0) {
             None => Ok(scale),
             Some(_) => Err(self.unanswered(Unasked::Scale)),
@@ -390,19 +372,18 @@ impl Request {
 
     /// How wide the figure is on paper, mm.
     pub fn width_mm(&self) -> Option<f64> {
-        self.number("width-mm")
+        self.get(opt::WIDTH_MM)
     }
 
     /// Which robots of the catalogue are wanted.
     pub fn filter(&self, words: Vec<String>) -> Filter {
-        let named = |word: &str| Status::ALL.into_iter().find(|status| status.name() == word);
         Filter {
             words,
-            vendors: self.texts("vendor"),
-            payload_kg: self.one("payload-kg", interval),
-            reach: self.one("reach-m", interval),
-            architecture: self.architectures("architecture").pop(),
-            statuses: self.words("status").into_iter().filter_map(named).collect(),
+            vendors: self.all(opt::VENDOR),
+            payload_kg: self.get(opt::PAYLOAD_KG),
+            reach: self.get(opt::REACH_M),
+            architecture: self.get(opt::ARCHITECTURE),
+            statuses: self.all(opt::STATUS),
         }
     }
 
@@ -411,21 +392,21 @@ impl Request {
     /// # Errors
     /// Where two architectures or the range are missing, which have defaults; work that is no flat zone, a robot without two links.
     pub fn study(&self, robot: Option<&Robot>) -> Result<StudyOptions, Refusal> {
-        let compared = self.architectures("compare");
-        let [first, second] = *compared.as_slice() else { return Err(self.missing("compare")) };
-        let (k2, k3) = (self.for_both("k2")?, self.for_both("k3")?);
+        let compared = self.all(opt::COMPARE);
+        let [first, second] = *compared.as_slice() else { return Err(self.missing(opt::COMPARE)) };
+        let (k2, k3) = (self.for_both(opt::K2)?, self.for_both(opt::K3)?);
         let (mut tasks, mut mark) = (self.tasks(), None);
-        if let Some(Task { label, zone, part }) = self.one("task", task) {
+        if let Some(Task { label, zone, part }) = self.get(opt::TASK) {
             if part.is_some() {
-                return Err(self.refused("task", "is a part with several faces; expected one flat zone".into()));
+                return Err(self.refused(opt::TASK, "is a part with several faces; expected one flat zone".into()));
             }
-            if !self.is_given("tasks") {
+            if !self.is_given(opt::TASKS) {
                 tasks.clear();
             }
             let [side, _] = zone.sides();
             tasks.insert(0, Task { label, ..zone.scaled(1.0 / side).into() });
             let marked = robot.map(|robot| Mark::of(robot, zone)).transpose();
-            mark = marked.map_err(|why| self.refused("robot", why.to_string()))?;
+            mark = marked.map_err(|why| self.refused(opt::ROBOT, why.to_string()))?;
         }
         Ok(StudyOptions {
             mark,
@@ -434,85 +415,23 @@ impl Request {
                 Contender { architecture: second, k2: k2[1], k3: k3[1] },
             ],
             tasks,
-            sizes: self.all("sizes", number),
-            ratios: self.all("ratios", number),
-            range: self.one("range", interval).ok_or_else(|| self.missing("range"))?,
+            sizes: self.all(opt::SIZES),
+            ratios: self.all(opt::RATIOS),
+            range: self.required(opt::RANGE)?,
         })
     }
 
     /// One number for both, or one each.
-    fn for_both(&self, name: &str) -> Result<[f64; 2], Refusal> {
-        match *self.all(name, number).as_slice() {
+    fn for_both(&self, option: Opt<f64>) -> Result<[f64; 2], Refusal> {
+        match *self.all(option).as_slice() {
             [both] => Ok([both, both]),
             [first, second] => Ok([first, second]),
-            _ => Err(self.missing(name)),
+            _ => Err(self.missing(option)),
         }
-    }
-
-    fn architectures(&self, name: &str) -> Vec<Architecture> {
-        let named = |word: &str| Architecture::ALL.into_iter().find(|architecture| architecture.name() == word);
-        self.words(name).into_iter().filter_map(named).collect()
-    }
-
-    pub(super) fn number(&self, name: &str) -> Option<f64> {
-        self.one(name, number)
-    }
-
-    /// What is asked for by saying so.
-    pub(super) fn is_wished(&self, name: &str) -> bool {
-        self.one(name, |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
-    }
-
-    /// A number of things, of a row that has a default.
-    pub(super) fn count(&self, name: &str) -> usize {
-        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
-        self.one(name, whole).expect("the row has a default")
-    }
-
-    fn words(&self, name: &str) -> Vec<&'static str> {
-        self.all(name, |value| if let Value::Word(word) = value { Some(word) } else { None })
-    }
-
-    pub(super) fn word(&self, name: &str) -> Option<&'static str> {
-        self.words(name).pop()
-    }
-
-    pub(super) fn texts(&self, name: &str) -> Vec<String> {
-        self.all(name, |value| if let Value::Text(text) = value { Some(text) } else { None })
-    }
-
-    pub(super) fn one<T>(&self, name: &str, pick: impl FnMut(Value) -> Option<T>) -> Option<T> {
-        self.all(name, pick).pop()
-    }
-
-    pub(super) fn all<T>(&self, name: &str, mut pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
-        let values = self.values(name).into_iter();
-        values
-            .map(|value| pick(value).unwrap_or_else(|| panic!("{name} is read as what its row does not take")))
-            .collect()
     }
 
     /// How whoever asks spells, for what is not in the table.
     pub fn reader(&self) -> &Spelling {
         &self.reader
     }
-}
-
-#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
-pub(super) fn number(value: Value) -> Option<f64> {
-    if let Value::Number(number) = value { Some(number) } else { None }
-}
-
-#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
-fn window(value: Value) -> Option<Window> {
-    if let Value::Window(window) = value { Some(window) } else { None }
-}
-
-#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
-fn interval(value: Value) -> Option<Interval> {
-    if let Value::Interval(interval) = value { Some(interval) } else { None }
-}
-
-fn task(value: Value) -> Option<Task> {
-    if let Value::Task(task) = value { Some(task) } else { None }
 }

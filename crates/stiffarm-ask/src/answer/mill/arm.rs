@@ -11,7 +11,7 @@ use stiffarm::watch::Watch;
 
 use super::super::{Line, Record, field, fixed, line};
 use super::{MillAnswer, MillAnswerError};
-use crate::request::{Refusal, Request};
+use crate::request::{Refusal, Request, opt};
 
 /// How the arm's own geometry counts.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub(super) fn check_mount(asked: &Request, robot: &Robot) -> Result<(), Refusal>
         "has a base that does not stand upright, and the own weight in the calibration of {} (weight_mrad, weight_urad_per_nm) holds on a floor; expected floor, pedestal:H, or a calibration without it (--level geometry)",
         robot.name
     );
-    Err(asked.refused("mount", why))
+    Err(asked.refused(opt::MOUNT, why))
 }
 
 /// What the arm's geometry does along a path.

@@ -9,7 +9,7 @@ use super::arm;
 use super::bodies::Bodies;
 use super::chatter::AskedChatter;
 use super::{Compensation, MillAnswer, MillAnswerError};
-use crate::request::{Refusal, Request};
+use crate::request::{Refusal, Request, opt};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::clearance::Cutter;
 use stiffarm::cutting::{Law, Process};
@@ -219,7 +219,7 @@ fn of_one_tool<'m>(asked: &Request, moves: Cow<'m, [Move]>) -> Result<Cow<'m, [M
                 "changes its tool ({}), and one process and one length are not those of all; give each its own by process (T1=FILE,T2=FILE) and tool-lengths-mm, or say by only-tool which one mills",
                 tools(several)
             );
-            Err(asked.refused("path", why))
+            Err(asked.refused(opt::PATH, why))
         }
         (Some(number), found) if found.iter().any(|(tool, _)| *tool == Some(number)) => {
             let mut before = None;
@@ -233,7 +233,7 @@ fn of_one_tool<'m>(asked: &Request, moves: Cow<'m, [Move]>) -> Result<Cow<'m, [M
         }
         (Some(number), found) => {
             let there = if found.is_empty() { "nothing that feeds".into() } else { tools(found) };
-            Err(asked.refused("only-tool", format!("{number} never feeds; the path has {there}")))
+            Err(asked.refused(opt::ONLY_TOOL, format!("{number} never feeds; the path has {there}")))
         }
     }
 }
@@ -281,7 +281,7 @@ fn forcing(
     let acting = asked.acting()?.ok_or_else(|| {
         let why = "missing; expected --force-n with a size or FEED,ACROSS,AXIAL in N, or --process with a process file"
             .to_owned();
-        asked.refused("force-n", why)
+        asked.refused(opt::FORCE_N, why)
     })?;
     let told = match acting {
         Acting::Any(newtons) => format!("{} N in its worst direction", fixed(newtons, 1)),

@@ -1,7 +1,7 @@
 //! The finished part and what holds it, of which the arm keeps clear: do their meshes lie where the path does?
 
 use super::super::fixed;
-use crate::request::{Refusal, Request};
+use crate::request::{Refusal, Request, opt};
 use stiffarm::clearance::Mesh;
 use stiffarm::toolpath::Survey;
 
@@ -70,7 +70,7 @@ impl MeshFile {
             told(part),
             told(extent)
         );
-        Err(asked.refused("part", why))
+        Err(asked.refused(opt::PART, why))
     }
 
     /// What is odd about where it lies and how large it is.

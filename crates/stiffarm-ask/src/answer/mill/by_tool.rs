@@ -9,7 +9,7 @@ use super::asked::Tooled;
 use super::programs::program_of;
 use super::table::NOT_FOLLOWED;
 use super::{Beside, Bodies, MillAnswer, MillAnswerError};
-use crate::request::{Request, tool_name};
+use crate::request::{Request, opt, tool_name};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::mill::WorkFrame;
 use stiffarm::program::Language;
@@ -56,12 +56,12 @@ impl ByToolAnswer {
         let is_touched = asked.work_frame() == WorkFrame::Touched;
         if robot.calibration.is_some() && is_touched {
             let why = "touched finds the work with one tool; expected measured beside processes by tool of a calibrated robot";
-            return Err(asked.refused("work-frame", why.into()).into());
+            return Err(asked.refused(opt::WORK_FRAME, why.into()).into());
         }
         let sections = sections(moves);
         let mills = |tool: u32| sections.iter().any(|(of, _)| *of == Some(tool));
         if let Some((tool, ..)) = processes.iter().find(|(tool, ..)| !mills(*tool)) {
-            return Err(asked.refused("process", format!("names T{tool}, which never feeds along the path")).into());
+            return Err(asked.refused(opt::PROCESS, format!("names T{tool}, which never feeds along the path")).into());
         }
         let parts = watch.parts(Some(sections.len()));
         let mut found = Vec::with_capacity(sections.len());
@@ -70,7 +70,7 @@ impl ByToolAnswer {
             let Some((number, name, process)) = process else {
                 let line = moves.first().map_or(0, |first| first.line);
                 let why = format!("has no file for {}, from line {line}; expected one of each tool", tool_name(tool));
-                return Err(asked.refused("process", why).into());
+                return Err(asked.refused(opt::PROCESS, why).into());
             };
             let process = Some((name.clone(), process.clone()));
             let beside = Beside { process, bodies: bodies.clone(), measured: None };

@@ -1,6 +1,10 @@
 //! What is asked of measurements: of a table of them, and of a plan for them.
 
-use super::{ANY, Absent, Kind, ROW, SEVERAL, SPINDLE, Setting, Verb, count, count_of, number_of};
+use super::super::kind::{ANY, Kind, count, count_of, number_of};
+use super::super::opt;
+use super::super::setting::{Absent, Of, Setting};
+use super::super::verb::Verb;
+use super::shared::{ROW, SEVERAL, SPINDLE};
 
 const IDENTIFY: &[Verb] = &[Verb::Identify];
 const MEASURE: &[Verb] = &[Verb::Measure];
@@ -11,7 +15,6 @@ const MEASURED: &str = "Measurements";
 /// Of the axes along which vectors of a table point.
 const IN_AXES: Setting = Setting {
     verbs: IDENTIFY,
-    kind: Kind::Word(&[("base", "Those of the base"), ("flange", "Those of the flange at the posture of the row")]),
     value: "AXES",
     absent: Absent::Default("base"),
     heading: MEASURED,
@@ -20,8 +23,7 @@ const IN_AXES: Setting = Setting {
 };
 
 pub(super) const ROWS: &[Setting] = &[
-    Setting {
-        name: "data",
+    opt::DATA.row(Setting {
         verbs: IDENTIFY,
         kind: Kind::File,
         value: "DATA.csv",
@@ -30,9 +32,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "measurements.csv",
         is_positional: true,
         ..ROW
-    },
-    Setting {
-        name: "robot",
+    }),
+    opt::ROBOT.row(Setting {
         verbs: IDENTIFY,
         kind: Kind::Robot,
         value: "ROBOT",
@@ -40,9 +41,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "The robot that was measured: a name, or the path of a robot file",
         example: "R-2000iC/165F",
         ..ROW
-    },
-    Setting {
-        name: "load-mm",
+    }),
+    opt::LOAD_MM.row(Setting {
         verbs: MEASURING,
         kind: Kind::Point,
         unit: "mm",
@@ -52,9 +52,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where the load acts, in the flange frame; columns load_x_mm, .. overrule it",
         example: "0,50,200",
         ..ROW
-    },
-    Setting {
-        name: "marker-mm",
+    }),
+    opt::MARKER_MM.row(Setting {
         verbs: MEASURING,
         kind: Kind::Marker,
         count: count_of(1, ANY, "markers", "some"),
@@ -65,46 +64,26 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where a marker sits, in the flange frame; of several each with the name that the column marker tells (with ; between, or given several times); columns marker_x_mm, .. overrule it",
         example: "top=0,100,150;side=0,-100,150",
         ..ROW
-    },
-    Setting { name: "force-axes", help: "Along which axes the forces and moments point", ..IN_AXES },
-    Setting { name: "displacement-axes", help: "Along which axes the displacements point", ..IN_AXES },
-    Setting {
-        name: "fit",
+    }),
+    opt::LOAD_AXES.row(Setting { help: "Along which axes the forces and moments point", ..IN_AXES }),
+    opt::DISPLACEMENT_AXES.row(Setting { help: "Along which axes the displacements point", ..IN_AXES }),
+    opt::FIT.row(Setting {
         verbs: IDENTIFY,
-        kind: Kind::Word(&[
-            ("least-squares", "Every row counts by its noise alone"),
-            ("huber", "Rows that fit badly count less"),
-        ]),
         value: "FIT",
         absent: Absent::Default("least-squares"),
         help: "How the compliances are estimated",
         example: "huber",
         ..ROW
-    },
-    Setting {
-        name: "model",
+    }),
+    opt::SPRINGS.row(Setting {
         verbs: IDENTIFY,
-        kind: Kind::Word(&[
-            ("drives", "The six drives"),
-            ("base", "These, and the base tilts about the level axes through its origin"),
-            ("tool", "The drives, and the tool bends about the axes across the flange's"),
-            ("base-and-tool", "Drives, base and tool"),
-            ("compensator", "The drives, and the spring of the gravity compensator whose ends the robot file has"),
-            ("compensator-and-preload", "The same, and its preload"),
-            ("regions", "The drives, drive 2 with a compliance for each of some ranges of joint 2 (--regions)"),
-            (
-                "auto",
-                "The simplest of these that none is clearly better than, by postures left out and Schwarz's criterion",
-            ),
-        ]),
         value: "MODEL",
         absent: Absent::Default("drives"),
         help: "What is taken to spring",
         example: "auto",
         ..ROW
-    },
-    Setting {
-        name: "regions",
+    }),
+    opt::REGIONS.row(Setting {
         verbs: IDENTIFY,
         kind: Kind::Whole { min: 2, max: 6 },
         value: "N",
@@ -112,9 +91,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model \"regions\"",
         example: "3",
         ..ROW
-    },
-    Setting {
-        name: "prior",
+    }),
+    opt::PRIOR.row(Setting {
         verbs: IDENTIFY,
         kind: Kind::Flag,
         value: "YES",
@@ -122,9 +100,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "true",
         help: "Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot file has the posterior; drives that the rows do not show keep the prior with its scatter",
         ..ROW
-    },
-    Setting {
-        name: "date",
+    }),
+    opt::DATE.row(Setting {
         verbs: IDENTIFY,
         kind: Kind::Date,
         value: "DATE",
@@ -132,9 +109,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "When was measured, as year-month-day: it is told, and stands in the robot file",
         example: "2026-05-31",
         ..ROW
-    },
-    Setting {
-        name: "geometry",
+    }),
+    opt::GEOMETRY.row(Setting {
         verbs: MEASURE,
         kind: Kind::Flag,
         value: "YES",
@@ -142,9 +118,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Plan postures in which a tracker measures points of the flange, so that calibrate finds how the arm differs from its drawing; nothing is loaded then",
         example: "true",
         ..ROW
-    },
-    Setting {
-        name: "task",
+    }),
+    opt::TASK.row(Setting {
         verbs: MEASURE,
         kind: Kind::Task,
         value: "TASK",
@@ -152,9 +127,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at its best place, the tool down",
         example: "rect:0.6x0.4",
         ..ROW
-    },
-    Setting {
-        name: "loads",
+    }),
+    opt::LOADS.row(Setting {
         verbs: MEASURE,
         kind: Kind::Way,
         count: SEVERAL,
@@ -163,9 +137,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes (pulleys); separated by commas",
         example: "down,1:0:-1",
         ..ROW
-    },
-    Setting {
-        name: "force-n",
+    }),
+    opt::LOAD_FORCE_N.row(Setting {
         verbs: MEASURE,
         kind: number_of(1.0, 1e5, "N"),
         unit: "N",
@@ -174,9 +147,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How large the load is",
         example: "500",
         ..ROW
-    },
-    Setting {
-        name: "runs",
+    }),
+    opt::RUNS.row(Setting {
         verbs: MEASURE,
         kind: Kind::Whole { min: 2, max: 1000 },
         value: "N",
@@ -184,23 +156,16 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How many postures and loads, or with geometry postures, are to be measured",
         example: "30",
         ..ROW
-    },
-    Setting {
-        name: "criterion",
+    }),
+    opt::CRITERION.row(Setting {
         verbs: MEASURE,
-        kind: Kind::Word(&[
-            ("prediction", "How well the deflection over the work is predicted"),
-            ("a", "The mean variance of the compliances, each in parts of its own"),
-            ("d", "The volume of the ellipsoid of their errors"),
-        ]),
         value: "CRITERION",
         absent: Absent::Default("prediction"),
         help: "By what a plan is judged; each is certified against every other choice of the candidates",
         example: "d",
         ..ROW
-    },
-    Setting {
-        name: "candidates",
+    }),
+    opt::CANDIDATES.row(Setting {
         verbs: MEASURE,
         kind: Kind::Whole { min: 10, max: 1_000_000 },
         value: "N",
@@ -208,9 +173,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Among how many of them is chosen",
         example: "1000",
         ..ROW
-    },
-    Setting {
-        name: "sigma-mm",
+    }),
+    opt::SIGMA_MM.row(Setting {
         verbs: MEASURE,
         kind: number_of(1e-5, 10.0, "mm"),
         unit: "mm",
@@ -219,9 +183,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Standard deviation of what is read of a coordinate",
         example: "0.05",
         ..ROW
-    },
-    Setting {
-        name: "posture-sigma-mm",
+    }),
+    opt::POSTURE_SIGMA_MM.row(Setting {
         verbs: MEASURE,
         kind: number_of(0.0, 10.0, "mm"),
         unit: "mm",
@@ -230,9 +193,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Standard deviation of what the model misses of a coordinate in a posture, however often it is read there: repeats do not take it away",
         example: "0.2",
         ..ROW
-    },
-    Setting {
-        name: "repeats",
+    }),
+    opt::REPEATS.row(Setting {
         verbs: MEASURE,
         kind: Kind::Whole { min: 1, max: 1000 },
         value: "N",
@@ -240,9 +202,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How often a posture is measured at most, whatever the load",
         example: "1",
         ..ROW
-    },
-    Setting {
-        name: "window",
+    }),
+    opt::WINDOW.row(Setting {
         verbs: MEASURE,
         kind: Kind::Block { of: "m", is_bounded: false },
         unit: "m",
@@ -251,9 +212,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where load point and markers must be: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open",
         example: "0.5..3,-1..1,0.3..2",
         ..ROW
-    },
-    Setting {
-        name: "instrument",
+    }),
+    opt::INSTRUMENT.row(Setting {
         keyword: "instrument_m",
         verbs: MEASURE,
         kind: number_of(-100.0, 100.0, "m"),
@@ -264,9 +224,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where the tracker or camera stands, from the base: only postures in which it sees all markers past the arm are looked at",
         example: "3,-2,1.5",
         ..ROW
-    },
-    Setting {
-        name: "marker-faces",
+    }),
+    opt::MARKER_FACES.row(Setting {
         verbs: MEASURE,
         kind: Kind::Direction,
         value: "X:Y:Z",
@@ -275,9 +234,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where the markers face, along flange axes: they are seen within the acceptance of this direction",
         example: "0:0:1",
         ..ROW
-    },
-    Setting {
-        name: "acceptance-deg",
+    }),
+    opt::ACCEPTANCE_DEG.row(Setting {
         verbs: MEASURE,
         kind: number_of(1.0, 90.0, "deg"),
         unit: "deg",
@@ -287,9 +245,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How far a marker may be turned away from the line to the instrument",
         example: "45",
         ..ROW
-    },
-    Setting {
-        name: "tool-mm",
+    }),
+    opt::TOOL_MM.row(Setting {
         verbs: MEASURE,
         kind: Kind::Tool,
         unit: "mm, deg",
@@ -299,15 +256,14 @@ pub(super) const ROWS: &[Setting] = &[
         help: "The tool of the work in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
         example: "0,0,200",
         ..ROW
-    },
-    Setting { name: "tool", verbs: MEASURE, of: super::Of::Any, heading: "", ..SPINDLE },
-    Setting {
-        name: "compare",
+    }),
+    opt::TOOL.row(Setting { verbs: MEASURE, of: Of::Any, heading: "", ..SPINDLE }),
+    opt::OWN_TABLE.row(Setting {
         verbs: MEASURE,
         kind: Kind::File,
         value: "MINE.csv",
         help: "A table of postures and loads of your own: what it is worth beside the plan",
         example: "mine.csv",
         ..ROW
-    },
+    }),
 ];

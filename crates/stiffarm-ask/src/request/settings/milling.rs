@@ -1,8 +1,12 @@
 //! What is asked of a part that is milled, of its toolpath and of a process.
 
-use stiffarm::cell::MOST_BLOCKS;
+use super::super::kind::{Kind, count_of, number_of};
+use super::super::opt;
+use super::super::setting::{Absent, Of, Setting};
+use super::super::verb::Verb;
+use super::shared::{MASS, ROW, SEVERAL, SPINDLE, WHOSE};
 
-use super::{Absent, Kind, MASS, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of, number_of};
+use stiffarm::cell::MOST_BLOCKS;
 
 const MILL: &[Verb] = &[Verb::Mill];
 /// Of a path that is milled.
@@ -19,8 +23,7 @@ pub(in crate::request) fn is_of_reading(setting: &Setting) -> bool {
 }
 
 pub(super) const ROWS: &[Setting] = &[
-    Setting {
-        name: "path",
+    opt::PATH.row(Setting {
         kind: Kind::File,
         value: "PATH",
         absent: Absent::Required,
@@ -29,9 +32,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "circle:0.3",
         is_positional: true,
         ..PATH
-    },
-    Setting {
-        name: "dry",
+    }),
+    opt::DRY.row(Setting {
         kind: Kind::Flag,
         value: "YES",
         absent: Absent::Default("false"),
@@ -39,18 +41,16 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "",
         example: "true",
         ..PATH
-    },
-    Setting {
-        name: "robot",
+    }),
+    opt::ROBOT.row(Setting {
         kind: Kind::Robot,
         value: "ROBOT",
         excludes: &["robots"],
         help: "The robot that mills: a name, or the path of a robot file; for several robots there is `robots`; with `dry` none is needed",
         example: "KR 210 R2700 extra",
         ..MILLED
-    },
-    Setting {
-        name: "robots",
+    }),
+    opt::ROBOTS.row(Setting {
         kind: Kind::Robot,
         count: SEVERAL,
         value: "ROBOTS",
@@ -58,18 +58,16 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
         example: "KR 210*,BT200L",
         ..MILLED
-    },
-    Setting {
-        name: "only-tool",
+    }),
+    opt::ONLY_TOOL.row(Setting {
         kind: Kind::Whole { min: 0, max: 99_999_999 },
         value: "N",
         absent: Absent::Means("all of the path, which then has one tool"),
         help: "Mill only what the tool of this number cuts (T, LOAD); each tool of a path has a process and a length of its own",
         example: "2",
         ..MILLED
-    },
-    Setting {
-        name: "process",
+    }),
+    opt::PROCESS.row(Setting {
         kind: Kind::FileOfTool,
         count: SEVERAL,
         value: "PROCESS",
@@ -77,9 +75,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a revolution acts. T1=FILE,T2=FILE: one for each tool of a path that changes its tool",
         example: "endmill.toml",
         ..MILLED
-    },
-    Setting {
-        name: "tool-lengths-mm",
+    }),
+    opt::TOOL_LENGTHS_MM.row(Setting {
         kind: Kind::LengthOfTool,
         count: SEVERAL,
         unit: "mm",
@@ -88,9 +85,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How far the tip of each tool of the path stands out of the spindle, along the tool axis: T1=82.5,T2=140; the tool point (tool, tool-mm) is then the spindle's nose, from which tools are measured",
         example: "T1=82.5,T2=140",
         ..MILLED
-    },
-    Setting {
-        name: "force-n",
+    }),
+    opt::FORCE_N.row(Setting {
         kind: Kind::Force,
         unit: "N",
         value: "F",
@@ -98,9 +94,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Cutting force on the tool: FEED,ACROSS,AXIAL (across: left of the feed, seen from the spindle; axial: away from the work), or its size, in its worst direction",
         example: "300,-120,80",
         ..MILLED
-    },
-    Setting {
-        name: "stock-mm",
+    }),
+    opt::STOCK_MM.row(Setting {
         kind: Kind::Block { of: "mm", is_bounded: true },
         unit: "mm",
         value: "BOX",
@@ -108,9 +103,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "The block from which the part is cut, in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and depth of the cut are then computed along the path, and arm and spindle keep clear of what is left of it (three axes, flat mills)",
         example: "-50..50,-50..50,-20..0",
         ..MILLED
-    },
-    Setting {
-        name: "at",
+    }),
+    opt::AT.row(Setting {
         kind: number_of(-1e3, 1e3, "m, and deg of yaw"),
         count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
         value: "X,Y,Z,YAW",
@@ -119,9 +113,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by how many degrees the part is turned about the vertical",
         example: "1.6,0,0.6,30",
         ..MILLED
-    },
-    Setting {
-        name: "within",
+    }),
+    opt::WITHIN.row(Setting {
         keyword: "within_m",
         kind: Kind::Within,
         value: "RANGES",
@@ -131,9 +124,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where all of the path must stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor",
         example: "1.0..,0.5..2",
         ..MILLED
-    },
-    Setting {
-        name: "mount",
+    }),
+    opt::MOUNT.row(Setting {
         kind: Kind::Mount,
         value: "MOUNT",
         absent: Absent::Means("floor"),
@@ -141,9 +133,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Cell",
         example: "pedestal:0.5",
         ..MILLED
-    },
-    Setting {
-        name: "keep-out",
+    }),
+    opt::KEEP_OUT.row(Setting {
         kind: Kind::Block { of: "m", is_bounded: false },
         count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
         unit: "m",
@@ -152,9 +143,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Cell",
         example: "1.0..2.0,-3.0..-1.5,..1.2",
         ..MILLED
-    },
-    Setting {
-        name: "clearance-mm",
+    }),
+    opt::CLEARANCE_MM.row(Setting {
         kind: number_of(0.0, 5e3, "mm"),
         unit: "mm",
         value: "MM",
@@ -163,28 +153,24 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Cell",
         example: "20",
         ..MILLED
-    },
-    Setting {
-        name: "part",
+    }),
+    opt::PART.row(Setting {
         kind: Kind::File,
         value: "FILE.stl",
         help: "The finished part as STL in the path's frame: arm and spindle keep clear of it, the cutter may touch it",
         heading: "Cell",
         example: "part.stl",
         ..MILLED
-    },
-    Setting {
-        name: "fixture",
+    }),
+    opt::FIXTURE.row(Setting {
         kind: Kind::File,
         value: "FILE.stl",
         help: "What holds the part as STL in the path's frame: arm, spindle and cutter keep clear of it",
         heading: "Cell",
         example: "fixture.stl",
         ..MILLED
-    },
-    Setting {
-        name: "part-unit",
-        kind: Kind::Word(&[("mm", ""), ("inch", ""), ("m", "")]),
+    }),
+    opt::PART_UNIT.row(Setting {
         value: "UNIT",
         absent: Absent::Default("mm"),
         needs: &[(Verb::Mill, "part"), (Verb::Mill, "fixture")],
@@ -192,9 +178,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Cell",
         example: "m",
         ..MILLED
-    },
-    Setting {
-        name: "stick-out-mm",
+    }),
+    opt::STICK_OUT_MM.row(Setting {
         kind: number_of(0.0, 5e3, "mm"),
         unit: "mm",
         value: "MM",
@@ -206,9 +191,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Cell",
         example: "80",
         ..MILLED
-    },
-    Setting {
-        name: "allow-contact",
+    }),
+    opt::ALLOW_CONTACT.row(Setting {
         kind: Kind::Flag,
         excludes: &["robots"],
         value: "YES",
@@ -217,9 +201,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Cell",
         example: "true",
         ..MILLED
-    },
-    Setting {
-        name: "roll",
+    }),
+    opt::ROLL.row(Setting {
         kind: Kind::Roll,
         unit: "deg",
         value: "MODE",
@@ -228,9 +211,8 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How the tool is turned about its axis: free (from sample to sample, as is best), constant (the best of all), linear (changing evenly), or so many degrees of its x axis from the part's, clockwise seen from the spindle",
         example: "constant",
         ..MILLED
-    },
-    Setting {
-        name: "pin",
+    }),
+    opt::PIN.row(Setting {
         kind: Kind::Pin,
         count: SEVERAL,
         value: "MM@DEG",
@@ -239,36 +221,23 @@ pub(super) const ROWS: &[Setting] = &[
         help: "So many mm along the path the roll must be so many degrees, and is as is best on the way there and on; separated by commas or given several times",
         example: "0@30,150@75",
         ..MILLED
-    },
-    Setting {
-        name: "error",
-        kind: Kind::Word(&[
-            ("total", "The whole displacement of the tip"),
-            ("across", "Its part across the feed and the tool axis: the contour that the side of the tool leaves"),
-            ("axial", "Its part along the tool axis: depth"),
-            ("normal", "Its part along the outward normal of the surface, which a table tells as nx,ny,nz"),
-        ]),
+    }),
+    opt::ERROR.row(Setting {
         value: "PART",
         absent: Absent::Default("total"),
         help: "What of the displacement counts",
         example: "across",
         ..MILLED
-    },
-    Setting {
-        name: "tolerance-mm",
+    }),
+    opt::TOLERANCE_MM.row(Setting {
         kind: number_of(1e-4, 1e3, "mm"),
         unit: "mm",
         value: "MM",
         help: "Largest error that passes",
         example: "0.3",
         ..MILLED
-    },
-    Setting {
-        name: "work-frame",
-        kind: Kind::Word(&[
-            ("touched", "By touching points of it with this robot: what the arm errs alike at all of them cancels"),
-            ("measured", "By an instrument in the frame of the base: all that the arm errs counts"),
-        ]),
+    }),
+    opt::WORK_FRAME.row(Setting {
         value: "HOW",
         excludes: &["robots"],
         absent: Absent::Default("touched"),
@@ -276,9 +245,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Compensation",
         example: "measured",
         ..MILLED
-    },
-    Setting {
-        name: "compensate",
+    }),
+    opt::COMPENSATE.row(Setting {
         kind: Kind::Flag,
         excludes: &["robots"],
         value: "YES",
@@ -287,9 +255,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Compensation",
         example: "true",
         ..MILLED
-    },
-    Setting {
-        name: "stiffness-uncertainty",
+    }),
+    opt::STIFFNESS_UNCERTAINTY.row(Setting {
         kind: number_of(0.0, 2.0, "(relative)"),
         value: "SHARE",
         absent: Absent::Means("as the robot file or the prior has it"),
@@ -298,9 +265,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Compensation",
         example: "0.2",
         ..MILLED
-    },
-    Setting {
-        name: "chatter",
+    }),
+    opt::CHATTER.row(Setting {
         kind: Kind::Flag,
         excludes: &["robots"],
         needs: &[(Verb::Mill, "process")],
@@ -310,9 +276,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Tool",
         example: "true",
         ..MILLED
-    },
-    Setting {
-        name: "pendant-as-file",
+    }),
+    opt::PENDANT_AS_FILE.row(Setting {
         kind: Kind::Flag,
         excludes: &["robots"],
         value: "YES",
@@ -321,18 +286,16 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Programs",
         example: "true",
         ..MILLED
-    },
-    Setting {
-        name: "speed-share",
+    }),
+    opt::SPEED_SHARE.row(Setting {
         kind: number_of(1e-3, 1.0, "of the joints' speeds"),
         value: "SHARE",
         absent: Absent::Default("0.8"),
         help: "Of the largest speed of every joint what is used while cutting, where the robot file tells speeds",
         example: "0.5",
         ..MILLED
-    },
-    Setting {
-        name: "limit-margin-deg",
+    }),
+    opt::LIMIT_MARGIN_DEG.row(Setting {
         kind: number_of(0.0, 90.0, "degrees"),
         unit: "deg",
         value: "DEG",
@@ -341,9 +304,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Margins",
         example: "10",
         ..MILLED
-    },
-    Setting {
-        name: "singular-margin-deg",
+    }),
+    opt::SINGULAR_MARGIN_DEG.row(Setting {
         kind: number_of(0.0, 45.0, "degrees"),
         unit: "deg",
         value: "DEG",
@@ -352,9 +314,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Margins",
         example: "10",
         ..MILLED
-    },
-    Setting {
-        name: "clear-of-base-m",
+    }),
+    opt::CLEAR_OF_BASE_M.row(Setting {
         kind: number_of(0.0, 100.0, "m"),
         unit: "m",
         value: "M",
@@ -364,9 +325,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Margins",
         example: "0.8",
         ..MILLED
-    },
-    Setting {
-        name: "floor",
+    }),
+    opt::FLOOR.row(Setting {
         keyword: "floor_m",
         kind: Kind::Floor,
         unit: "m",
@@ -376,9 +336,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Margins",
         example: "-0.5",
         ..MILLED
-    },
-    Setting {
-        name: "tool-mm",
+    }),
+    opt::TOOL_MM.row(Setting {
         kind: Kind::Tool,
         unit: "mm, deg",
         value: "X,Y,Z",
@@ -388,111 +347,76 @@ pub(super) const ROWS: &[Setting] = &[
         heading: "Robot",
         example: "0,0,150",
         ..MILLED
-    },
-    Setting { name: "tool", verbs: MILL, of: super::Of::Any, heading: "Robot", ..SPINDLE },
+    }),
+    opt::TOOL.row(Setting { verbs: MILL, of: Of::Any, heading: "Robot", ..SPINDLE }),
     Setting { verbs: MILL, heading: "Robot", ..MASS },
     Setting { verbs: MILL, absent: Absent::Means("as the robot file has it, else prior"), example: "paper", ..WHOSE },
-    Setting {
-        name: "read-as",
-        kind: Kind::Word(&[("gcode", "RS-274"), ("apt", "APT or CLS"), ("csv", "A table of points")]),
+    opt::READ_AS.row(Setting {
         value: "FORMAT",
         absent: Absent::Means("by the ending of its name"),
         help: "How the path is written",
         example: "gcode",
         ..PATH
-    },
-    Setting {
-        name: "unit",
-        kind: Kind::Word(&[("mm", ""), ("inch", "")]),
+    }),
+    opt::UNIT.row(Setting {
         value: "UNIT",
         absent: Absent::Means("mm"),
         help: "Of lengths, where the file names none",
         example: "inch",
         ..PATH
-    },
-    Setting {
-        name: "arc-centres",
-        kind: Kind::Word(&[
-            ("incremental", "I, J, K count from the beginning of the arc"),
-            ("absolute", "They count from the origin"),
-        ]),
+    }),
+    opt::ARC_CENTRES.row(Setting {
         value: "FROM",
         absent: Absent::Means("the reading in which arcs close"),
         help: "What centres of arcs in G-code count from",
         example: "absolute",
         ..PATH
-    },
-    Setting {
-        name: "arc-sense",
-        kind: Kind::Word(&[
-            ("left", "Clockwise about their axis, as Siemens NX writes them"),
-            ("right", "Counter-clockwise, as SOLIDWORKS CAM does"),
-        ]),
+    }),
+    opt::ARC_SENSE.row(Setting {
         value: "HAND",
         absent: Absent::Means("that of the program which wrote the file"),
         help: "In which sense arcs of APT turn",
         example: "left",
         ..PATH
-    },
-    Setting {
-        name: "cutter-compensation",
-        kind: Kind::Word(&[
-            ("refuse", "A path under G41 or G42 is refused"),
-            ("centre", "It is read as if it were that of the tool's centre"),
-        ]),
+    }),
+    opt::CUTTER_COMPENSATION.row(Setting {
         value: "HOW",
         absent: Absent::Default("refuse"),
         help: "What is done about a path that is not that of the tool's centre",
         example: "centre",
         ..PATH
-    },
-    Setting {
-        name: "incremental-cycles",
-        kind: Kind::Word(&[
-            ("nist", "R from the present level, Z from R, read anew at every hole (RS274/NGC)"),
-            ("r-plane", "R from the level at which the cycle began, Z from R"),
-            ("initial", "R and Z from the level at which the cycle began"),
-        ]),
+    }),
+    opt::INCREMENTAL_CYCLES.row(Setting {
         value: "FROM",
         absent: Absent::Means("such cycles are refused"),
         help: "What R and Z of drilling cycles count from under G91",
         example: "initial",
         ..PATH
-    },
-    Setting {
-        name: "rotary",
-        kind: Kind::Word(&[
-            ("head-ac", "The spindle, by C about z and A about the turned x"),
-            ("head-bc", "The spindle, by C about z and B about the turned y"),
-            ("table-ac", "The part, by A about x and on it C about z"),
-            ("table-bc", "The part, by B about y and on it C about z"),
-        ]),
+    }),
+    opt::ROTARY.row(Setting {
         value: "MACHINE",
         absent: Absent::Means("angles that turn anything are refused"),
         help: "What A, B and C turn; X, Y and Z are the tip in the part",
         example: "table-ac",
         ..PATH
-    },
-    Setting {
-        name: "columns",
+    }),
+    opt::COLUMNS.row(Setting {
         count: SEVERAL,
         value: "NAMES",
         absent: Absent::Means("the header"),
         help: "Names of the columns of a CSV file without a header, separated by commas: x_mm, y_mm, z_mm, i, j, k or nx, ny, nz, feed_mm_per_min, rapid; - for one that moves nothing",
         example: "x_mm,y_mm,z_mm",
         ..PATH
-    },
-    Setting {
-        name: "feed-mm-per-min",
+    }),
+    opt::FEED_MM_PER_MIN.row(Setting {
         kind: number_of(1e-3, 1e6, "mm/min"),
         unit: "mm/min",
         value: "F",
         help: "Feed rate, where the file says none",
         example: "1000",
         ..PATH
-    },
-    Setting {
-        name: "chord-mm",
+    }),
+    opt::CHORD_MM.row(Setting {
         kind: number_of(1e-6, 100.0, "mm"),
         unit: "mm",
         value: "MM",
@@ -501,9 +425,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: SAMPLES,
         example: "0.1",
         ..PATH
-    },
-    Setting {
-        name: "step-mm",
+    }),
+    opt::STEP_MM.row(Setting {
         kind: number_of(1e-3, 10_000.0, "mm"),
         unit: "mm",
         value: "MM",
@@ -512,9 +435,8 @@ pub(super) const ROWS: &[Setting] = &[
         heading: SAMPLES,
         example: "5",
         ..PATH
-    },
-    Setting {
-        name: "process",
+    }),
+    opt::PROCESS.row(Setting {
         verbs: &[Verb::Force, Verb::Chatter],
         kind: Kind::File,
         value: "PROCESS",
@@ -523,5 +445,5 @@ pub(super) const ROWS: &[Setting] = &[
         example: "endmill.toml",
         is_positional: true,
         ..ROW
-    },
+    }),
 ];

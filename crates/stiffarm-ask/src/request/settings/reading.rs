@@ -1,6 +1,10 @@
 //! What is asked of readings of an arm: does its file count the joints as they do, and how does this very arm differ from its drawing?
 
-use super::{Absent, Kind, ROW, SEVERAL, Setting, Verb, count, number_of};
+use super::super::kind::{Kind, count, number_of};
+use super::super::opt;
+use super::super::setting::{Absent, Setting};
+use super::super::verb::Verb;
+use super::shared::{ROW, SEVERAL};
 
 const CALIBRATE: &[Verb] = &[Verb::Calibrate];
 const VERIFY: &[Verb] = &[Verb::Verify];
@@ -17,8 +21,7 @@ const FRAME: Setting = Setting {
 };
 
 pub(super) const ROWS: &[Setting] = &[
-    Setting {
-        name: "robot",
+    opt::ROBOT.row(Setting {
         verbs: VERIFY,
         kind: Kind::Robot,
         value: "ROBOT",
@@ -26,9 +29,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "KR 210 R2700 extra",
         is_positional: true,
         ..ROW
-    },
-    Setting {
-        name: "data",
+    }),
+    opt::DATA.row(Setting {
         verbs: CALIBRATE,
         kind: Kind::File,
         value: "POINTS.csv",
@@ -37,9 +39,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "tracker.csv",
         is_positional: true,
         ..ROW
-    },
-    Setting {
-        name: "data",
+    }),
+    opt::DATA.row(Setting {
         verbs: VERIFY,
         kind: Kind::File,
         value: "READINGS.csv",
@@ -48,9 +49,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "pendant.csv",
         is_positional: true,
         ..ROW
-    },
-    Setting {
-        name: "any",
+    }),
+    opt::ANY.row(Setting {
         verbs: VERIFY,
         kind: Kind::Flag,
         value: "YES",
@@ -58,35 +58,24 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Try all robots of the catalogue, not only those of the same maker; which robot are the readings from, where none is named",
         example: "true",
         ..ROW
-    },
-    Setting {
-        name: "base-mm",
+    }),
+    opt::BASE_MM.row(Setting {
         help: "The base of the robot file in the frame of the readings: x,y,z or x,y,z,rx,ry,rz about fixed axes, 0,0,0 where no base is in force; shows the zero of joint 1",
         ..FRAME
-    },
-    Setting {
-        name: "tool-mm",
+    }),
+    opt::TOOL_MM.row(Setting {
         help: "The tool in force, in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes, 0,0,0 where none is; shows the zero of joint 6",
         ..FRAME
-    },
-    Setting {
-        name: "level",
+    }),
+    opt::LEVEL.row(Setting {
         verbs: CALIBRATE,
-        kind: Kind::Word(&[
-            ("auto", "The one with the largest evidence"),
-            ("zeros", "The zeros of the joints"),
-            ("geometry", "These, and how the joints' frames stand to each other"),
-            ("weight", "These, and how the drives yield under the arm's own weight, on a floor"),
-            ("gears", "These, and gears that err once per turn"),
-        ]),
         value: "LEVEL",
         absent: Absent::Default("auto"),
         help: "How much may differ from the drawing",
         example: "geometry",
         ..ROW
-    },
-    Setting {
-        name: "columns",
+    }),
+    opt::HEADINGS.row(Setting {
         verbs: READING,
         kind: Kind::Heading,
         count: SEVERAL,
@@ -95,18 +84,16 @@ pub(super) const ROWS: &[Setting] = &[
         help: "What columns are called in the table: joint_1_deg=J1,x1_mm=X",
         example: "joint_1_deg=J1",
         ..ROW
-    },
-    Setting {
-        name: "frame-by",
+    }),
+    opt::FRAME_BY.row(Setting {
         verbs: READING,
         value: "COLUMN",
         absent: Absent::Means("one frame"),
         help: "The column that tells apart where the tracker stood; each stand has a frame of its own",
         example: "station",
         ..ROW
-    },
-    Setting {
-        name: "at",
+    }),
+    opt::AT.row(Setting {
         verbs: CALIBRATE,
         kind: number_of(-20.0, 20.0, "m"),
         count: count(3, "numbers", "x,y,z in m from the base"),
@@ -116,22 +103,16 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Where the work is, from the robot's base: the error that remains is told within 0.25 m about it",
         example: "1.8,0,0.8",
         ..ROW
-    },
-    Setting {
-        name: "controller-model",
+    }),
+    opt::CONTROLLER_MODEL.row(Setting {
         verbs: CALIBRATE,
-        kind: Kind::Word(&[
-            ("nominal", "With the arm that was drawn"),
-            ("calibrated", "With an absolute-accuracy option of its own"),
-        ]),
         value: "MODEL",
         absent: Absent::Means("no program is written of the robot file"),
         help: "With which arm the controller computes while it is measured, and later: for the robot file",
         example: "nominal",
         ..ROW
-    },
-    Setting {
-        name: "date",
+    }),
+    opt::DATE.row(Setting {
         verbs: READING,
         kind: Kind::Date,
         value: "DATE",
@@ -139,5 +120,5 @@ pub(super) const ROWS: &[Setting] = &[
         help: "When it was read or measured, as year-month-day: for the robot file",
         example: "2026-05-31",
         ..ROW
-    },
+    }),
 ];
