@@ -1,12 +1,10 @@
 //! The forms of an answer: what each of them is called, and which of them a file's name asks for. Decided here and nowhere else.
 //!
-//! The ending chooses. Two endings stand for two things each: `.html` is a report where the verb makes one, and the view that can be turned
-//! elsewhere; `view.html` and `*.view.html` are that view wherever there is one. `.pdf` is the figure; `report.pdf`, `*.report.pdf` and `*-report.pdf`
-//! are the report on paper. `shop.svg` and `*.shop.svg`, and the same as `.png` and `.pdf`, are the drawing of where the work must stand; `lobes.svg` is
-//! from which depth a cut swings.
+//! A row of [`FORMS`] each. The ending chooses, the longest that the verb has: `.html` is a report where the verb makes one, and `view.html` and
+//! `*.view.html` the view that can be turned; `.pdf` is the figure, and `report.pdf`, `*.report.pdf` and `*-report.pdf` the report on paper;
+//! `shop.svg` and `*.shop.svg` are the drawing of where the work must stand, `lobes.svg` from which depth a cut swings.
 
 use std::borrow::Cow;
-use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -21,22 +19,30 @@ use crate::figures::Plate;
 use crate::figures::view3d::View;
 use crate::report::Report;
 
-/// Endings of the files that every answer can be written to.
-const TABLES: [&str; 5] = ["json", "csv", "parquet", "md", "txt"];
+/// What an answer makes besides tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Makes {
+    /// A picture, in pixels and on paper, too.
+    Picture(Picture),
+    /// What can be turned in space.
+    View,
+    /// A map for programs that show fields in space.
+    Image,
+    /// A robot file.
+    RobotFile,
+    /// What is handed on.
+    Report,
+    /// What machines read, by the endings of their files.
+    Programs(&'static [&'static str]),
+}
 
-/// In which forms answers of one kind are shown, besides tables.
+/// In which forms answers of one kind are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Forms {
     /// The command's name, for errors.
     pub command: &'static str,
-    /// Endings of the files it can be written to besides those of tables: svg, png and pdf, html, toml.
-    pub further: &'static [&'static str],
-    /// It makes a report.
-    pub is_reported: bool,
-    /// It draws where the work must stand.
-    pub is_sited: bool,
-    /// It draws from which depth a cut swings, beside its figure.
-    pub has_lobes: bool,
+    /// What there is besides tables.
+    pub makes: &'static [Makes],
 }
 
 /// A piece of an answer as people read it.
@@ -120,11 +126,11 @@ pub trait Answer {
     }
 
     /// A picture as SVG, where there is one.
-    fn drawn(&self, what: Drawn) -> Option<Result<String, AskError>> {
+    fn drawn(&self, what: Picture) -> Option<Result<String, AskError>> {
         match what {
-            Drawn::Figure => self.svg(),
-            Drawn::Shop => self.shop(),
-            Drawn::Lobes => self.lobes(),
+            Picture::Figure => self.svg(),
+            Picture::Shop => self.shop(),
+            Picture::Lobes => self.lobes(),
         }
     }
 
@@ -208,7 +214,7 @@ pub fn pretty(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
 }
 
 /// In which form an answer is written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// For programs.
     Json,
@@ -220,14 +226,16 @@ pub enum Form {
     Md,
     /// For people.
     Txt,
+    /// What people read, for programs: [`read_by_people`].
+    Tables,
     /// A robot file.
     RobotFile,
     /// A picture.
-    Svg(Drawn),
+    Svg(Picture),
     /// The same in pixels.
-    Png(Drawn),
+    Png(Picture),
     /// The same on a page of its size.
-    Pdf(Drawn),
+    Pdf(Picture),
     /// What can be turned in space.
     View,
     /// The same as lines and faces for programs that show fields in space.
@@ -239,12 +247,12 @@ pub enum Form {
     /// The same as pages.
     PrintedReport,
     /// What a machine reads, by its ending.
-    Program(String),
+    Program(&'static str),
 }
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawn {
+pub enum Picture {
     /// The figure of the answer.
     Figure,
     /// Where the work must stand, as a shop drawing has it.
@@ -252,6 +260,66 @@ pub enum Drawn {
     /// From which depth a cut swings.
     Lobes,
 }
+
+/// How a form is asked for, how its files are called, and what browsers know it as.
+#[derive(Clone, Copy, Debug)]
+pub struct FormRow {
+    /// Which.
+    pub form: Form,
+    /// The word that asks for it.
+    pub word: &'static str,
+    /// What the names of its files end in, with a dot where anything may stand before it; else such a name stands alone or behind a dot.
+    pub endings: &'static [&'static str],
+    /// Its media type.
+    pub media_type: &'static str,
+}
+
+const JSON: &str = "application/json";
+const TEXT: &str = "text/plain; charset=utf-8";
+const HTML: &str = "text/html; charset=utf-8";
+const SVG: &str = "image/svg+xml";
+const PNG: &str = "image/png";
+const PDF: &str = "application/pdf";
+
+const fn row(form: Form, word: &'static str, endings: &'static [&'static str], media_type: &'static str) -> FormRow {
+    FormRow { form, word, endings, media_type }
+}
+
+/// Every form. Of two with the same ending the later one is meant where the verb has both.
+pub static FORMS: &[FormRow] = &[
+    row(Form::Svg(Picture::Figure), "svg", &[".svg"], SVG),
+    row(Form::Png(Picture::Figure), "png", &[".png"], PNG),
+    row(Form::Pdf(Picture::Figure), "pdf", &[".pdf"], PDF),
+    row(Form::View, "view", &["view.html", ".html"], HTML),
+    row(Form::Lines, "vtp", &[".vtp"], TEXT),
+    row(Form::Image, "vti", &[".vti"], TEXT),
+    row(Form::RobotFile, "toml", &[".toml"], "application/toml"),
+    row(Form::Program("src"), "src", &[".src"], TEXT),
+    row(Form::Program("mod"), "mod", &[".mod"], TEXT),
+    row(Form::Program("ls"), "ls", &[".ls"], TEXT),
+    row(Form::Program("py"), "py", &[".py"], TEXT),
+    row(Form::Program("yaml"), "yaml", &[".yaml"], TEXT),
+    row(Form::Program("nc"), "nc", &[".nc"], TEXT),
+    row(Form::Program("gcode"), "gcode", &[".gcode"], TEXT),
+    row(Form::Program("ngc"), "ngc", &[".ngc"], TEXT),
+    row(Form::Program("tap"), "tap", &[".tap"], TEXT),
+    row(Form::Program("apt"), "apt", &[".apt"], TEXT),
+    row(Form::Program("cls"), "cls", &[".cls"], TEXT),
+    row(Form::Report, "report", &[".html"], HTML),
+    row(Form::PrintedReport, "report-pdf", &["report.pdf", "-report.pdf"], PDF),
+    row(Form::Svg(Picture::Shop), "shop", &["shop.svg"], SVG),
+    row(Form::Png(Picture::Shop), "shop.png", &["shop.png"], PNG),
+    row(Form::Pdf(Picture::Shop), "shop.pdf", &["shop.pdf"], PDF),
+    row(Form::Svg(Picture::Lobes), "lobes", &["lobes.svg"], SVG),
+    row(Form::Png(Picture::Lobes), "lobes.png", &["lobes.png"], PNG),
+    row(Form::Pdf(Picture::Lobes), "lobes.pdf", &["lobes.pdf"], PDF),
+    row(Form::Json, "json", &[".json"], JSON),
+    row(Form::Csv, "csv", &[".csv"], "text/csv; charset=utf-8"),
+    row(Form::Parquet, "parquet", &[".parquet"], "application/vnd.apache.parquet"),
+    row(Form::Md, "md", &[".md"], "text/markdown; charset=utf-8"),
+    row(Form::Txt, "txt", &[".txt"], TEXT),
+    row(Form::Tables, "tables", &["tables.json"], JSON),
+];
 
 impl Form {
     /// The text of an answer in this form; nothing of tables, pixels and pages, which need more than the answer.
@@ -261,7 +329,7 @@ impl Form {
     ///
     /// # Panics
     /// Never: memory takes every byte of the JSON.
-    pub fn text(&self, answer: &dyn Answer) -> Result<Option<Vec<u8>>, AskError> {
+    pub fn text(self, answer: &dyn Answer) -> Result<Option<Vec<u8>>, AskError> {
         let nothing = || AskError::Figure("there is nothing to draw".into());
         let made = |text: Option<Result<String, AskError>>| text.ok_or_else(nothing)?.map(String::into_bytes);
         Ok(Some(match self {
@@ -270,8 +338,9 @@ impl Form {
                 answer.json(&mut text).expect("memory takes every byte");
                 text
             }
+            Self::Tables => format!("{:#}\n", read_by_people(answer)).into_bytes(),
             Self::RobotFile => made(answer.robot_file())?,
-            Self::Svg(what) => made(answer.drawn(*what))?,
+            Self::Svg(what) => made(answer.drawn(what))?,
             Self::View => made(answer.view().map(|view| view.map(|view| view.html())))?,
             Self::Lines => made(answer.view().map(|view| view.map(|view| exports::lines(&view))))?,
             Self::Image => made(answer.image().map(Ok))?,
@@ -283,25 +352,41 @@ impl Form {
         }))
     }
 
+    /// Its row.
+    ///
+    /// # Panics
+    /// Never: a test finds the row of every form that a verb has.
+    pub fn row(self) -> &'static FormRow {
+        FORMS.iter().find(|row| row.form == self).expect("every form has a row")
+    }
+
+    /// The form of a word.
+    pub fn of_word(word: &str) -> Option<Self> {
+        FORMS.iter().find(|row| row.word == word).map(|row| row.form)
+    }
+
+    /// How its file is called that begins like this.
+    pub fn file(self, stem: &str) -> String {
+        format!("{stem}.{}", self.row().endings[0].trim_start_matches('.'))
+    }
+
     /// It is made of the answer alone.
-    pub fn is_text(&self) -> bool {
-        match self {
-            Self::Json
-            | Self::RobotFile
-            | Self::Svg(_)
-            | Self::View
-            | Self::Lines
-            | Self::Image
-            | Self::Report
-            | Self::Program(_) => true,
-            Self::Csv | Self::Parquet | Self::Md | Self::Txt | Self::Png(_) | Self::Pdf(_) | Self::PrintedReport => {
-                false
-            }
-        }
+    pub fn is_of_answer(self) -> bool {
+        !self.is_bytes() && !matches!(self, Self::Csv | Self::Md | Self::Txt)
+    }
+
+    /// It is no text.
+    pub fn is_bytes(self) -> bool {
+        matches!(self, Self::Parquet | Self::Png(_) | Self::Pdf(_) | Self::PrintedReport)
+    }
+
+    /// It is JSON, and no file that is kept.
+    pub fn is_json(self) -> bool {
+        matches!(self, Self::Json | Self::Tables)
     }
 
     /// It is looked at, so that the table is printed beside it.
-    pub fn is_picture(&self) -> bool {
+    pub fn is_picture(self) -> bool {
         matches!(self, Self::Svg(_) | Self::Png(_) | Self::Pdf(_) | Self::View | Self::Report | Self::PrintedReport)
     }
 }
@@ -309,59 +394,131 @@ impl Form {
 impl Forms {
     /// Of a command whose answers are tables.
     pub const fn of(command: &'static str) -> Self {
-        Self { command, further: &[], is_reported: false, is_sited: false, has_lobes: false }
+        Self { command, makes: &[] }
+    }
+
+    /// It makes this.
+    pub fn makes(&self, what: Makes) -> bool {
+        self.makes.contains(&what)
+    }
+
+    /// It has this form.
+    pub fn has(&self, form: Form) -> bool {
+        match form {
+            Form::Json | Form::Csv | Form::Parquet | Form::Md | Form::Txt | Form::Tables => true,
+            Form::Svg(what) | Form::Png(what) | Form::Pdf(what) => self.makes(Makes::Picture(what)),
+            Form::View | Form::Lines => self.makes(Makes::View),
+            Form::Image => self.makes(Makes::Image),
+            Form::RobotFile => self.makes(Makes::RobotFile),
+            Form::Report | Form::PrintedReport => self.makes(Makes::Report),
+            Form::Program(ending) => {
+                self.makes.iter().any(|made| matches!(made, Makes::Programs(endings) if endings.contains(&ending)))
+            }
+        }
     }
 
     /// The form that a name asks for; nothing where there is none of it.
     pub fn form(&self, path: &Path) -> Option<Form> {
-        let stem = path.file_stem().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
-        let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
-        let is_named = |what: &str| stem == what || stem.ends_with(&format!(".{what}"));
-        let is_known = |ending: &str| self.further.contains(&ending);
-        let drawn = if self.is_sited && is_named("shop") {
-            Drawn::Shop
-        } else if self.has_lobes && is_named("lobes") {
-            Drawn::Lobes
-        } else {
-            Drawn::Figure
+        let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_lowercase())?;
+        let is_said = |ending: &&str| match name.strip_suffix(*ending) {
+            None => false,
+            Some(before) if ending.starts_with(['.', '-']) => !before.is_empty(),
+            Some(before) => before.is_empty() || before.ends_with('.'),
         };
-        Some(match ending.as_str() {
-            "json" => Form::Json,
-            "csv" => Form::Csv,
-            "parquet" => Form::Parquet,
-            "md" => Form::Md,
-            "txt" => Form::Txt,
-            "html" if self.is_reported && !is_named("view") => Form::Report,
-            "pdf" if self.is_reported && (is_named("report") || stem.ends_with("-report")) => Form::PrintedReport,
-            ending if !is_known(ending) => return None,
-            "html" => Form::View,
-            "vtp" => Form::Lines,
-            "vti" => Form::Image,
-            "toml" => Form::RobotFile,
-            "svg" => Form::Svg(drawn),
-            "png" => Form::Png(drawn),
-            "pdf" => Form::Pdf(drawn),
-            ending => Form::Program(ending.into()),
-        })
+        let said = |row: &'static FormRow| {
+            let longest = row.endings.iter().filter(|ending| is_said(ending)).map(|ending| ending.len()).max();
+            longest.map(|length| (length, row.form))
+        };
+        // What people read comes as a file of that name from nowhere but a server, and a view that there is not is no report.
+        let meant = FORMS.iter().filter(|row| row.form != Form::Tables).filter_map(said);
+        let (_, form) =
+            meant.filter(|(_, form)| *form == Form::View || self.has(*form)).max_by_key(|(length, _)| *length)?;
+        self.has(form).then_some(form)
     }
 
     /// What names may end in, for whoever typed another.
-    pub fn endings(&self) -> Vec<String> {
-        let mut endings: Vec<String> = Vec::new();
-        for ending in self.further {
-            let is_view = self.is_reported && *ending == "html";
-            endings.push(if is_view { ".view.html".into() } else { format!(".{ending}") });
+    pub fn endings(&self) -> Vec<&'static str> {
+        let rows = FORMS.iter().filter(|row| row.form != Form::Tables && self.has(row.form));
+        let ending = |row: &FormRow| {
+            let means_it = |ending: &&&str| {
+                self.form(Path::new(&format!("a.{}", ending.trim_start_matches('.')))) == Some(row.form)
+            };
+            row.endings.iter().filter(means_it).min_by_key(|ending| !ending.starts_with('.')).copied()
+        };
+        rows.filter_map(ending).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: Forms = Forms {
+        command: "all",
+        makes: &[
+            Makes::Picture(Picture::Figure),
+            Makes::View,
+            Makes::Image,
+            Makes::RobotFile,
+            Makes::Programs(&["src", "nc"]),
+            Makes::Report,
+            Makes::Picture(Picture::Shop),
+            Makes::Picture(Picture::Lobes),
+        ],
+    };
+
+    #[test]
+    fn a_name_asks_for_the_form_of_its_longest_ending() {
+        let form = |forms: Forms, name: &str| forms.form(Path::new(name));
+        for (name, meant) in [
+            ("a.svg", Form::Svg(Picture::Figure)),
+            ("out/A.SVG", Form::Svg(Picture::Figure)),
+            ("shop.svg", Form::Svg(Picture::Shop)),
+            ("a.shop.pdf", Form::Pdf(Picture::Shop)),
+            ("workshop.svg", Form::Svg(Picture::Figure)),
+            ("lobes.png", Form::Png(Picture::Lobes)),
+            ("a.html", Form::Report),
+            ("view.html", Form::View),
+            ("a.view.html", Form::View),
+            ("review.html", Form::Report),
+            ("a.pdf", Form::Pdf(Picture::Figure)),
+            ("report.pdf", Form::PrintedReport),
+            ("a-report.pdf", Form::PrintedReport),
+            ("areport.pdf", Form::Pdf(Picture::Figure)),
+            ("a.tables.json", Form::Json),
+            ("a.b.csv", Form::Csv),
+            ("a.src", Form::Program("src")),
+        ] {
+            assert_eq!(form(ALL, name), Some(meant), "{name}");
         }
-        if self.is_reported {
-            endings.extend([".html".to_owned(), "report.pdf".into()]);
+        for name in ["a", "svg", ".svg", "a.svgz", "a.svg.", "a.mod", ""] {
+            assert_eq!(form(ALL, name), None, "{name}");
         }
-        if self.is_sited {
-            endings.push("shop.svg".into());
+        let few = Forms { command: "few", makes: &[Makes::Picture(Picture::Figure), Makes::Report] };
+        assert_eq!(form(few, "shop.svg"), Some(Form::Svg(Picture::Figure)));
+        assert_eq!((form(few, "a.html"), form(few, "a.view.html")), (Some(Form::Report), None));
+        let view = Forms { command: "view", makes: &[Makes::View] };
+        assert_eq!((form(view, "a.html"), form(view, "report.pdf")), (Some(Form::View), None));
+    }
+
+    #[test]
+    fn every_form_has_a_row_and_every_file_the_name_that_asks_for_it() {
+        for (i, row) in FORMS.iter().enumerate() {
+            assert!(FORMS[..i].iter().all(|other| other.form != row.form && other.word != row.word), "{row:?}");
+            assert_eq!(Form::of_word(row.word), Some(row.form));
+            let is_made = !matches!(row.form, Form::Program(ending) if !["src", "nc"].contains(&ending));
+            assert_eq!(ALL.has(row.form), is_made, "{row:?}");
+            if is_made && row.form != Form::Tables {
+                assert_eq!(ALL.form(Path::new(&row.form.file("place"))), Some(row.form), "{row:?}");
+            }
         }
-        if self.has_lobes {
-            endings.push("lobes.svg".into());
+        for ending in ALL.endings() {
+            assert!(ALL.form(Path::new(&format!("a.{}", ending.trim_start_matches('.')))).is_some(), "{ending}");
         }
-        endings.extend(TABLES.map(|ending| format!(".{ending}")));
-        endings
+        assert!(ALL.endings().starts_with(&[".svg", ".png", ".pdf", "view.html", ".vtp"]), "{:?}", ALL.endings());
+        assert!(
+            ALL.endings().contains(&".html")
+                && Forms::of("few").endings() == [".json", ".csv", ".parquet", ".md", ".txt"]
+        );
     }
 }

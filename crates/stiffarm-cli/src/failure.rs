@@ -50,7 +50,7 @@ pub(crate) enum Failure {
         /// The file asked for.
         path: PathBuf,
         /// The endings there are, with their dots.
-        expected: Vec<String>,
+        expected: Vec<&'static str>,
     },
     /// One file is to hold two things.
     #[error("cannot write {} twice: another output is the same file", shown(.0))]
@@ -151,7 +151,7 @@ fn write_hint(path: &Path, error: &io::Error) -> String {
 }
 
 /// `.json, .csv or .txt`.
-fn either(words: &[String]) -> String {
+fn either(words: &[&str]) -> String {
     match words {
         [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
         words => words.concat(),

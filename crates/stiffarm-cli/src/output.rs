@@ -72,13 +72,13 @@ impl<'a> Outputs<'a> {
         let mut written = Vec::new();
         let mut failed: Vec<(Form, Failure)> = Vec::new();
         for (path, form, sink) in files {
-            match watched("writing", common, |_| write(answer, (path, &form), sink)) {
+            match watched("writing", common, |_| write(answer, (path, form), sink)) {
                 Ok(()) => written.push(path),
                 Err(failure) => failed.push((form, failure)),
             }
         }
         let printed = match failed.first() {
-            Some((form, _)) => print(&Body::printable(answer, form, common.format)),
+            Some((form, _)) => print(&Body::printable(answer, *form, common.format)),
             None if is_printed => print(&Body::of_stdout(answer, common.format)),
             None => Ok(()),
         };
@@ -116,17 +116,21 @@ pub(crate) fn verdict(delivered: Result<(), Failure>, holds: Result<(), Failure>
 /// # Errors
 /// Where it does not, with the endings of those that it makes.
 pub(crate) fn known(forms: Forms, path: &Path) -> Result<Form, Failure> {
-    let unknown = || Failure::Ending { command: forms.command, path: path.into(), expected: forms.endings() };
-    forms.form(path).ok_or_else(unknown)
+    forms.form(path).ok_or_else(|| unknown(forms, path))
 }
 
-/// Writes what a file of this name would hold.
+/// There is no such form, but others.
+pub(crate) fn unknown(forms: Forms, path: &Path) -> Failure {
+    Failure::Ending { command: forms.command, path: path.into(), expected: forms.endings() }
+}
+
+/// Writes a form that the answer has.
 ///
 /// # Errors
-/// Where there is no file of this ending, nothing to draw, or `out` takes no more.
-pub(crate) fn write_as(answer: &dyn Answer, name: &Path, mut out: &mut (dyn Write + Send)) -> Result<(), Failure> {
-    let failure = |error| Failure::Write { path: name.into(), error };
-    Body::of_file(answer, &known(answer.forms(), name)?)?.write(&mut out).map_err(failure)
+/// Where there is nothing to draw, or `out` takes no more.
+pub(crate) fn write_as(answer: &dyn Answer, form: Form, mut out: &mut (dyn Write + Send)) -> Result<(), Failure> {
+    let failure = |error| Failure::Write { path: form.file(answer.forms().command).into(), error };
+    Body::of_file(answer, form)?.write(&mut out).map_err(failure)
 }
 
 /// Opens one file, whatever it points to, and says which one that is.
@@ -167,7 +171,7 @@ fn put(text: &str, path: &Path, sink: Sink) -> Result<(), Failure> {
     written.map_err(|error| Failure::Write { path: path.into(), error })
 }
 
-fn write(answer: &dyn Answer, (path, form): (&Path, &Form), sink: Sink) -> Result<(), Failure> {
+fn write(answer: &dyn Answer, (path, form): (&Path, Form), sink: Sink) -> Result<(), Failure> {
     let body = Body::of_file(answer, form)?;
     let write = || match sink {
         Sink::Straight => body.write(&mut fs::OpenOptions::new().write(true).open(path)?),
@@ -207,22 +211,22 @@ impl<'a> Body<'a> {
     }
 
     /// In the form that the file's name asks for, which was found to be one of this command's.
-    fn of_file(answer: &'a dyn Answer, form: &Form) -> Result<Self, Failure> {
+    fn of_file(answer: &'a dyn Answer, form: Form) -> Result<Self, Failure> {
         Ok(match form {
             Form::Json => Self::of_format(answer, Format::Json),
             Form::Csv => Self::of_format(answer, Format::Csv),
             Form::Md => Self::of_format(answer, Format::Md),
             Form::Txt => Self::of_format(answer, Format::Table),
             Form::Parquet => Self::Parquet(answer.rows(), answer.forms().command),
-            Form::Png(what) => Self::Bytes(raster::png(&picture(answer.drawn(*what))?, answer.plate().pixels())?),
-            Form::Pdf(what) => Self::Bytes(raster::pdf(&picture(answer.drawn(*what))?)?),
+            Form::Png(what) => Self::Bytes(raster::png(&picture(answer.drawn(what))?, answer.plate().pixels())?),
+            Form::Pdf(what) => Self::Bytes(raster::pdf(&picture(answer.drawn(what))?)?),
             Form::PrintedReport => Self::Bytes(pdf::of(&picture(answer.report())?)?),
             form => Self::Bytes(form.text(answer)?.unwrap_or_default()),
         })
     }
 
     /// What stands for a file that could not be written: its own text, the table for its columns, and the usual for a picture.
-    fn printable(answer: &'a dyn Answer, form: &Form, usual: Format) -> Self {
+    fn printable(answer: &'a dyn Answer, form: Form, usual: Format) -> Self {
         match form {
             Form::Json => Self::of_format(answer, Format::Json),
             Form::Csv | Form::Parquet => Self::of_format(answer, Format::Csv),

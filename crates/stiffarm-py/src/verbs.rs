@@ -107,7 +107,7 @@ pub(crate) fn answered(
 /// Is there a form of this name, and is it made here?
 fn check(forms: Forms, name: &Path) -> PyResult<()> {
     match forms.form(name) {
-        Some(form) if form.is_text() => Ok(()),
+        Some(form) if form.is_of_answer() => Ok(()),
         Some(_) => Err(refused(format!(
             "{} is not made here: stiffarm.plot draws with matplotlib, to_pandas() has the rows, and the program `stiffarm` writes both",
             name.display()

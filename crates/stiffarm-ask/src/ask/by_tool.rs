@@ -14,7 +14,7 @@ use super::context::Context;
 use super::context::process_of;
 use super::path::{all_moves, read_bodies};
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Piece};
 
 pub(crate) struct ByToolOutput {
     pub(crate) answer: ByToolAnswer,
@@ -42,7 +42,7 @@ fn processes(asked: &Request, context: Context) -> Result<Vec<(u32, String, Proc
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["src", "mod", "ls", "py"], ..Forms::of("mill") };
+pub(crate) const FORMS: Forms = Forms { command: "mill", makes: &[Makes::Programs(&["src", "mod", "ls", "py"])] };
 
 impl Answer for ByToolOutput {
     fn forms(&self) -> Forms {

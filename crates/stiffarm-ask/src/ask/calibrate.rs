@@ -9,7 +9,7 @@ use crate::answer::{CalibrateAnswer, Rows};
 use crate::date::today;
 use crate::error::AskError;
 use crate::figures::{Plate, calibrate as figure};
-use crate::forms::{Answer, Forms, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
 use crate::report::Report;
 use crate::request::Request;
 
@@ -44,7 +44,7 @@ pub(crate) struct CalibrateOutput<'a> {
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms =
-    Forms { further: &["toml", "svg", "png", "pdf"], is_reported: true, ..Forms::of("calibrate") };
+    Forms { command: "calibrate", makes: &[Makes::RobotFile, Makes::Picture(Picture::Figure), Makes::Report] };
 
 impl Answer for CalibrateOutput<'_> {
     fn forms(&self) -> Forms {

@@ -11,7 +11,7 @@ use super::selection;
 use crate::answer::{ChatterAnswer, Rows, TipFile};
 use crate::error::AskError;
 use crate::figures::{Plate, lobes};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::request::Request;
 use serde_json::Value;
 
@@ -44,7 +44,7 @@ fn refusal(error: ChatterError, process: &str, measured: Option<&TipFile>) -> As
 pub(crate) struct ChatterOutput(ChatterAnswer, Plate);
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("chatter") };
+pub(crate) const FORMS: Forms = Forms { command: "chatter", makes: &[Makes::Picture(Picture::Figure)] };
 
 impl Answer for ChatterOutput {
     fn forms(&self) -> Forms {

@@ -12,7 +12,7 @@ use super::place::PlaceOutput;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::compare::CompareFigure;
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<CompareOutput, AskError> {
     let [a, b] = asked.setups()?.map(|name| setup(&name, asked, context));
@@ -90,7 +90,7 @@ fn words(side: &PlaceAnswer) -> String {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("compare") };
+pub(crate) const FORMS: Forms = Forms { command: "compare", makes: &[Makes::Picture(Picture::Figure)] };
 
 impl Answer for CompareOutput {
     fn forms(&self) -> Forms {

@@ -14,7 +14,7 @@ use stiffarm::spatial::Pose;
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::view3d::{ArmMark, Arrow, View};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ComplianceOutput, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
@@ -89,7 +89,7 @@ fn magnified(deflection: f64) -> f64 {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["html", "vtp"], ..Forms::of("compliance") };
+pub(crate) const FORMS: Forms = Forms { command: "compliance", makes: &[Makes::View] };
 
 impl Answer for ComplianceOutput {
     fn forms(&self) -> Forms {

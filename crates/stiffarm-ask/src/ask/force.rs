@@ -12,7 +12,7 @@ use super::context::process_of;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::hodograph::Hodograph;
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ForceOutput, AskError> {
     let name = asked.process()?;
@@ -25,7 +25,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ForceOutput, A
 pub(crate) struct ForceOutput(CuttingAnswer, Plate);
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("force") };
+pub(crate) const FORMS: Forms = Forms { command: "force", makes: &[Makes::Picture(Picture::Figure)] };
 
 impl Answer for ForceOutput {
     fn forms(&self) -> Forms {

@@ -10,7 +10,7 @@ use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::{Plate, identify as figure};
-use crate::forms::{Answer, Forms, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
 use crate::report::Report;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<IdentifyOutput<'a>, AskError> {
@@ -33,7 +33,7 @@ pub(crate) struct IdentifyOutput<'a> {
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms =
-    Forms { further: &["toml", "svg", "png", "pdf"], is_reported: true, ..Forms::of("identify") };
+    Forms { command: "identify", makes: &[Makes::RobotFile, Makes::Picture(Picture::Figure), Makes::Report] };
 
 impl Answer for IdentifyOutput<'_> {
     fn forms(&self) -> Forms {

@@ -24,7 +24,7 @@ use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::sheets::Ways;
 use crate::figures::view3d::{Arrow, Cell, Sheet, View, Zone};
-use crate::forms::{Answer, Forms, Piece, Sketch, pretty};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, Sketch, pretty};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, AskError> {
     let (kind, options) = (asked.model(), asked.map_options());
@@ -277,7 +277,8 @@ fn mark(zone: &PlaceAnswer, best: &Placement) -> ZoneMark {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf", "html", "vtp", "vti"], ..Forms::of("map") };
+pub(crate) const FORMS: Forms =
+    Forms { command: "map", makes: &[Makes::Picture(Picture::Figure), Makes::View, Makes::Image] };
 
 impl Answer for MapOutput {
     fn forms(&self) -> Forms {

@@ -10,7 +10,7 @@ use stiffarm::robot::Robot;
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::{Plate, postures};
-use crate::forms::{Answer, Forms, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
 
 /// The robot, what is asked of a plan, and the work in words.
 fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String), AskError> {
@@ -68,7 +68,7 @@ fn own_runs(
 pub(crate) struct MeasureOutput(MeasureAnswer, Plate);
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("measure") };
+pub(crate) const FORMS: Forms = Forms { command: "measure", makes: &[Makes::Picture(Picture::Figure)] };
 
 impl Answer for MeasureOutput {
     fn forms(&self) -> Forms {

@@ -22,7 +22,7 @@ use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::figures::{Plate, lobes};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
 /// Places along the path of which the map of rolls shows every roll.
@@ -153,13 +153,15 @@ fn corners_of(ends: [[f64; 3]; 2], stand: &Stand) -> [Point; 8] {
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms = Forms {
-    further: &[
-        "svg", "png", "pdf", "html", "vtp", "src", "mod", "ls", "py", "yaml", "nc", "gcode", "ngc", "tap", "apt", "cls",
+    command: "mill",
+    makes: &[
+        Makes::Picture(Picture::Figure),
+        Makes::View,
+        Makes::Programs(&["src", "mod", "ls", "py", "yaml", "nc", "gcode", "ngc", "tap", "apt", "cls"]),
+        Makes::Report,
+        Makes::Picture(Picture::Shop),
+        Makes::Picture(Picture::Lobes),
     ],
-    is_reported: true,
-    is_sited: true,
-    has_lobes: true,
-    ..Forms::of("mill")
 };
 
 impl Answer for MillOutput<'_> {

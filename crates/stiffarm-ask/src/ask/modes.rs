@@ -10,7 +10,7 @@ use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::{Plate, swinging};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOutput<'a>, AskError> {
@@ -31,7 +31,7 @@ pub(crate) struct ModesOutput<'a> {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], is_reported: true, ..Forms::of("modes") };
+pub(crate) const FORMS: Forms = Forms { command: "modes", makes: &[Makes::Picture(Picture::Figure), Makes::Report] };
 
 impl Answer for ModesOutput<'_> {
     fn forms(&self) -> Forms {

@@ -8,7 +8,7 @@ use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::answer::{ModesOverAnswer, Rows};
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Piece};
 use crate::report::Report;
 use crate::request::Request;
 
@@ -37,7 +37,7 @@ pub(crate) struct ModesOverOutput<'a> {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { is_reported: true, ..Forms::of("modes") };
+pub(crate) const FORMS: Forms = Forms { command: "modes", makes: &[Makes::Report] };
 
 impl Answer for ModesOverOutput<'_> {
     fn forms(&self) -> Forms {

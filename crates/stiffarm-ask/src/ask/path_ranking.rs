@@ -15,7 +15,7 @@ use super::selection;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
 /// More bars are not told apart on one page.
@@ -78,7 +78,7 @@ impl PathRankOutput<'_> {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], is_reported: true, ..Forms::of("mill") };
+pub(crate) const FORMS: Forms = Forms { command: "mill", makes: &[Makes::Picture(Picture::Figure), Makes::Report] };
 
 impl Answer for PathRankOutput<'_> {
     fn forms(&self) -> Forms {

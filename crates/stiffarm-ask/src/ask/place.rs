@@ -22,7 +22,7 @@ use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
-use crate::forms::{Answer, Forms, Piece, Sketch};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, Sketch};
 use crate::report::Report;
 
 /// Points along the longer side of the map that is drawn, in the arm plane and in space.
@@ -277,8 +277,10 @@ impl PlaceOutput {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms =
-    Forms { further: &["svg", "png", "pdf", "html", "vtp"], is_reported: true, is_sited: true, ..Forms::of("place") };
+pub(crate) const FORMS: Forms = Forms {
+    command: "place",
+    makes: &[Makes::Picture(Picture::Figure), Makes::View, Makes::Report, Makes::Picture(Picture::Shop)],
+};
 
 impl Answer for PlaceOutput {
     fn forms(&self) -> Forms {

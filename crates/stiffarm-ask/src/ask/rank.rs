@@ -19,7 +19,7 @@ use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
 /// Sizes along each curve of the figure.
@@ -202,7 +202,7 @@ fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], is_reported: true, ..Forms::of("rank") };
+pub(crate) const FORMS: Forms = Forms { command: "rank", makes: &[Makes::Picture(Picture::Figure), Makes::Report] };
 
 impl Answer for RankOutput<'_> {
     fn forms(&self) -> Forms {

@@ -9,7 +9,7 @@ use super::context::Context;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyMark, StudyPanel};
-use crate::forms::{Answer, Forms, Piece};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 
 /// Ratios and sizes along the sides of a figure.
 const FIGURE_RATIOS: usize = 61;
@@ -110,7 +110,7 @@ impl StudyOutput {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("study") };
+pub(crate) const FORMS: Forms = Forms { command: "study", makes: &[Makes::Picture(Picture::Figure)] };
 
 impl Answer for StudyOutput {
     fn forms(&self) -> Forms {

@@ -9,7 +9,7 @@ use super::context::{Context, readings_of};
 use crate::answer::{Rows, VerifyAnswer, VerifyRankAnswer};
 use crate::date::today;
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Piece, sheet};
 use crate::request::Request;
 
 /// Of a robot that was named.
@@ -40,7 +40,7 @@ pub(crate) fn of_any(asked: &Request, context: Context) -> Result<VerifyRankAnsw
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["toml"], ..Forms::of("robots verify") };
+pub(crate) const FORMS: Forms = Forms { command: "robots verify", makes: &[Makes::RobotFile] };
 /// The same where no robot is named: no robot file is written.
 pub(crate) const FORMS_OF_ANY: Forms = Forms::of("robots verify --any");
 

@@ -11,7 +11,7 @@ use stiffarm_ask::ask::AskError;
 
 use crate::args::ImportArgs;
 use crate::common::{Common, Format};
-use stiffarm_ask::forms::{Answer, Forms, Piece};
+use stiffarm_ask::forms::{Answer, Forms, Makes, Piece};
 
 use crate::failure::Failure;
 use crate::look::Look;
@@ -117,7 +117,7 @@ impl Report {
 }
 
 /// In which forms it is shown.
-const FORMS: Forms = Forms { further: &["toml"], ..Forms::of("robots import") };
+const FORMS: Forms = Forms { command: "robots import", makes: &[Makes::RobotFile] };
 
 impl Answer for Report {
     fn forms(&self) -> Forms {

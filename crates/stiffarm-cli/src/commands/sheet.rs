@@ -14,7 +14,7 @@ use stiffarm_ask::answer::words::{architecture, assumed_architecture, class, sta
 use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
 use stiffarm_ask::ask::AskError;
 
-use stiffarm_ask::forms::{Answer, Forms, Piece};
+use stiffarm_ask::forms::{Answer, Forms, Makes, Picture, Piece};
 
 use stiffarm_ask::figures::Plate;
 use stiffarm_ask::figures::reach::ReachFigure;
@@ -175,7 +175,8 @@ fn plane_rows(arm: &PlanarArm) -> Lines {
 }
 
 /// In which forms it is shown.
-pub(super) const FORMS: Forms = Forms { further: &["svg", "png", "pdf", "toml"], ..Forms::of("robots show") };
+pub(super) const FORMS: Forms =
+    Forms { command: "robots show", makes: &[Makes::Picture(Picture::Figure), Makes::RobotFile] };
 
 impl Answer for Sheet {
     fn forms(&self) -> Forms {

@@ -7,15 +7,15 @@ use std::sync::Arc;
 use hyper::StatusCode;
 use serde_json::{Map, Value, json};
 use stiffarm_ask::ask::{ask, forms};
-use stiffarm_ask::forms::{Answer, read_by_people};
-use stiffarm_ask::request::{Request, Verb, job};
+use stiffarm_ask::forms::{Answer, Form, Picture};
+use stiffarm_ask::request::{Request, job};
 
-use super::form::{Form, Wanted};
+use super::form::Wanted;
 use super::question::Question;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::failure::Failure;
-use crate::output::{known, write_as};
+use crate::output::{unknown, write_as};
 
 /// An answer of more bytes is refused.
 const MOST_BYTES: usize = 64 << 20;
@@ -23,58 +23,49 @@ const MOST_BYTES: usize = 64 << 20;
 /// Computes the answer, and writes it.
 pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u8>, Refused> {
     let asked = &question.asked;
-    match question.wanted.forms() {
-        [Form::Job] => return Ok(job::write(asked, &[], Path::new("job.toml")).into_bytes()),
-        [Form::Command] => {
+    match &question.wanted {
+        Wanted::One(form) => {
+            check(asked, *form)?;
+            let common = question.common(client);
+            written(&*ask(asked, common.context())?, *form)
+        }
+        Wanted::Several(forms) => {
+            let common = question.common(client);
+            together(&*ask(asked, common.context())?, forms, asked)
+        }
+        Wanted::Job => Ok(job::write(asked, &[], Path::new("job.toml")).into_bytes()),
+        Wanted::Command => {
             let job = job::write(asked, &[], Path::new("job.toml"));
             let told = json!({ "command": asked.command(), "python": asked.python(), "job": job });
-            return Ok(format!("{told:#}\n").into_bytes());
+            Ok(format!("{told:#}\n").into_bytes())
         }
-        [form] => check(asked, form)?,
-        _ => {}
-    }
-    let common = question.common(client);
-    let told = ask(asked, common.context())?;
-    match &question.wanted {
-        Wanted::One(form) => in_form(&*told, form, asked.verb),
-        Wanted::Several(forms) => together(&*told, forms, asked),
     }
 }
 
 /// That such an answer has the form, before anything is computed.
-fn check(asked: &Request, form: &Form) -> Result<(), Refused> {
+fn check(asked: &Request, form: Form) -> Result<(), Refused> {
     let (forms, verb) = (forms(asked), asked.verb.name());
-    let refused = |what: &str| Err(Failure::usage(format!("{verb} makes no {what}")).into());
-    match form.word() {
-        "report" | "report-pdf" if !forms.is_reported => {
-            return refused("report; rank, place, mill, modes, identify and calibrate do");
-        }
-        "shop" if !forms.is_sited => return refused("shop drawing; place and mill do"),
-        "lobes" if !forms.has_lobes => return refused("figure of lobes beside its own; mill does"),
-        _ => {}
+    if forms.has(form) {
+        return Ok(());
     }
-    if *form != Form::Tables {
-        known(forms, Path::new(&form.file(asked.verb)))?;
-    }
-    Ok(())
-}
-
-fn in_form(told: &dyn Answer, form: &Form, verb: Verb) -> Result<Vec<u8>, Refused> {
-    match form {
-        Form::Tables => Ok(format!("{:#}\n", read_by_people(told)).into_bytes()),
-        form => written(told, &form.file(verb)),
-    }
+    let what = match form {
+        Form::Report | Form::PrintedReport => "report; rank, place, mill, modes, identify and calibrate do",
+        Form::Svg(Picture::Shop) => "shop drawing; place and mill do",
+        Form::Svg(Picture::Lobes) => "figure of lobes beside its own; mill does",
+        _ => return Err(unknown(forms, Path::new(&form.file(asked.verb.function()))).into()),
+    };
+    Err(Failure::usage(format!("{verb} makes no {what}")).into())
 }
 
 /// Every form under its word, null where it is refused, and why in `refused`: a path that is not followed has its table and no figure.
 fn together(told: &dyn Answer, forms: &[Form], asked: &Request) -> Result<Vec<u8>, Refused> {
     let (mut parts, mut refused, mut length) = (Vec::new(), Map::new(), 0);
-    for form in forms {
-        let text = match check(asked, form).and_then(|()| in_form(told, form, asked.verb)) {
+    for &form in forms {
+        let text = match check(asked, form).and_then(|()| written(told, form)) {
             Ok(bytes) if form.is_json() => on_one_line_of_json(&bytes),
             Ok(bytes) => json!(String::from_utf8_lossy(&bytes)).to_string(),
             Err(why) => {
-                refused.insert(form.word().into(), why.json());
+                refused.insert(form.row().word.into(), why.json());
                 "null".into()
             }
         };
@@ -82,7 +73,7 @@ fn together(told: &dyn Answer, forms: &[Form], asked: &Request) -> Result<Vec<u8
         if MOST_BYTES <= length {
             return Err(too_large());
         }
-        parts.push(format!("{}:{text}", json!(form.word())));
+        parts.push(format!("{}:{text}", json!(form.row().word)));
     }
     parts.push(format!("\"refused\":{}", Value::Object(refused)));
     Ok(format!("{{{}}}\n", parts.join(",")).into_bytes())
@@ -98,10 +89,10 @@ fn too_large() -> Refused {
     Refused::new(StatusCode::UNPROCESSABLE_ENTITY, why, "ask for fewer points, or the command line")
 }
 
-/// What a file of this name would hold.
-pub(super) fn written(told: &dyn Answer, name: &str) -> Result<Vec<u8>, Refused> {
+/// A form that the answer has.
+pub(super) fn written(told: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
     let mut out = Bounded(Vec::new());
-    let written = write_as(told, Path::new(name), &mut out);
+    let written = write_as(told, form, &mut out);
     if MOST_BYTES <= out.0.len() {
         return Err(too_large());
     }

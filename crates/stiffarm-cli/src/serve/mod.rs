@@ -22,7 +22,6 @@ mod work;
 
 use std::io;
 use std::net::SocketAddr;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -87,9 +86,4 @@ fn shown(address: SocketAddr) -> String {
 /// Two threads speak HTTP; what is computed has its own.
 fn runtime() -> io::Result<Runtime> {
     Builder::new_multi_thread().worker_threads(2).thread_stack_size(STACK).enable_all().build()
-}
-
-/// The file name under which an answer is written.
-fn named(stem: &str, ending: &str) -> String {
-    Path::new(stem).with_extension(ending).to_string_lossy().into_owned()
 }

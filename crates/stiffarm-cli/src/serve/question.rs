@@ -7,10 +7,11 @@ use hyper::StatusCode;
 use percent_encoding::percent_decode_str;
 use serde_json::{Map, Value};
 use stiffarm::plain::on_one_line;
+use stiffarm_ask::forms::Form;
 use stiffarm_ask::request::{Request, Spelling, Verb, sent};
 
 use super::bounds;
-use super::form::{Form, Wanted};
+use super::form::Wanted;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::common::Common;
@@ -127,7 +128,7 @@ pub(super) fn wanted_of(text: Option<&str>) -> Result<Wanted, Refused> {
             "?as=json, csv, md, txt, tables, svg, png, pdf, shop, lobes, view, report, report-pdf, job or command; several texts of one answer: ?as=json,tables,svg",
         )
     };
-    let mut wanted = Wanted::One(Form::File("json".into()));
+    let mut wanted = Wanted::One(Form::Json);
     for (name, value) in query(text)? {
         if name != "as" {
             return Err(wrong(format!("'{}' is nothing that an address asks here", on_one_line(&name))));
@@ -142,5 +143,6 @@ pub(super) fn form_of(text: Option<&str>) -> Result<Form, Refused> {
     match wanted_of(text)? {
         Wanted::One(form) => Ok(form),
         Wanted::Several(_) => Err(Failure::usage("robots come in one form at a time").into()),
+        Wanted::Job | Wanted::Command => Err(Failure::usage("robots have no such form").into()),
     }
 }

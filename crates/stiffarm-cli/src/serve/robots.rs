@@ -9,25 +9,26 @@ use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
 use stiffarm::catalogue::{Fault, Faults, doubts};
 use stiffarm::robot::Robot;
 use stiffarm_ask::answer::robot::sheet;
+use stiffarm_ask::forms::{Answer, Form};
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
+use super::Server;
 use super::answer::written;
-use super::form::Form;
 use super::question::{check_name, decoded, form_of, object, query, unlike};
 use super::reply::{Refused, Reply, json_reply, keep_as, reply};
 use super::route::computed;
-use super::{Server, named};
 use stiffarm_ask::ask::AskError;
 use stiffarm_ask::ask::robots::answer;
 
 use crate::commands::robots::sheet_of;
 use crate::common::Common;
 use crate::failure::Failure;
+use crate::output::unknown;
 use stiffarm_ask::sources::Sources;
 
 /// As `robots list`: `text` has words of the names, `as` the form, all else is an option.
 pub(super) async fn listed(server: &Arc<Server>, asked: Option<&str>) -> Result<Reply, Refused> {
-    let (mut words, mut pairs, mut form) = (Vec::new(), Vec::new(), Form::File("json".into()));
+    let (mut words, mut pairs, mut form) = (Vec::new(), Vec::new(), Form::Json);
     for (name, value) in query(asked)? {
         match name.as_str() {
             "text" => words.extend(value.split_whitespace().map(ToOwned::to_owned)),
@@ -36,15 +37,15 @@ pub(super) async fn listed(server: &Arc<Server>, asked: Option<&str>) -> Result<
         }
     }
     let asked = Request::read(Verb::List, &pairs, Spelling::Sent).map_err(Failure::from)?;
-    delivered(server, "robots", form, move |name| written(&answer(&words, &asked)?, name)).await
+    delivered(server, "robots", form, move || written_of(&answer(&words, &asked)?, form)).await
 }
 
 /// As `robots show`.
 pub(super) async fn shown(server: &Arc<Server>, name: &str, asked: Option<&str>) -> Result<Reply, Refused> {
     let (robot, form) = (decoded(name)?, form_of(asked)?);
-    delivered(server, "robot", form, move |name| {
+    delivered(server, "robot", form, move || {
         let common = Common { sources: Sources::sent(std::collections::BTreeMap::new()), ..Common::usual() };
-        written(&sheet_of(&robot, None, common.context())?, name)
+        written_of(&sheet_of(&robot, None, common.context())?, form)
     })
     .await
 }
@@ -53,17 +54,23 @@ async fn delivered(
     server: &Arc<Server>,
     stem: &str,
     form: Form,
-    write: impl FnOnce(&str) -> Result<Vec<u8>, Refused> + Send + 'static,
+    write: impl FnOnce() -> Result<Vec<u8>, Refused> + Send + 'static,
 ) -> Result<Reply, Refused> {
-    let Form::File(ending) = &form else { return Err(Failure::usage("robots have no such form").into()) };
-    let name = named(stem, ending);
-    let kept = name.clone();
-    let (bytes, _) = computed(server, move |_| write(&name)).await?;
-    let mut told = reply(bytes, form.media_type());
+    let (bytes, _) = computed(server, move |_| write()).await?;
+    let mut told = reply(bytes, form.row().media_type);
     if !form.is_json() {
-        keep_as(&mut told, &kept);
+        keep_as(&mut told, &form.file(stem));
     }
     Ok(told)
+}
+
+/// A form, where the answer has it.
+fn written_of(told: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
+    if told.forms().has(form) {
+        written(told, form)
+    } else {
+        Err(unknown(told.forms(), Path::new(&form.file("robots"))).into())
+    }
 }
 
 /// What the checker says of `{"name": .., "text": ..}`.

@@ -139,7 +139,7 @@ async fn answer(
     }
     let (kind, is_json) = (question.wanted.media_type(), question.wanted.is_json());
     // Of a task that is a toolpath mill is asked.
-    let name = question.wanted.forms()[0].file(question.asked.verb);
+    let name = question.wanted.file(question.asked.verb);
     let (bytes, notes) = within(server, wait, move |client| answered(&question, client)).await?;
     let mut told = reply(bytes, kind);
     if !is_json {

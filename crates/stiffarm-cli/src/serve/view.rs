@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use hyper::StatusCode;
 use hyper::header::{CONTENT_SECURITY_POLICY, HeaderValue};
+use stiffarm_ask::forms::Form;
 use stiffarm_ask::request::Verb;
 
 use super::Server;
 use super::answer::answered;
-use super::form::{Form, Wanted};
+use super::form::Wanted;
 use super::question::{Question, query};
 use super::reply::{Refused, Reply, reply};
 use super::work::{Patience, aside};
@@ -27,7 +28,7 @@ pub(super) async fn posted(server: &Arc<Server>, verb: Verb, body: Vec<u8>) -> R
     let client = Arc::new(Client::waiting());
     // As long as somebody waits: a frame is no stream, and whoever leaves it hangs up.
     let bytes = server.workshop.work(place, client, move |client| answered(&question, client)).await?;
-    let mut page = reply(bytes, Form::View.media_type());
+    let mut page = reply(bytes, Form::View.row().media_type);
     page.headers_mut().insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
     Ok(page)
 }
