@@ -15,6 +15,7 @@ mod notation;
 mod on_path;
 pub(crate) mod opt;
 mod options;
+mod parsed;
 mod path;
 mod python;
 mod reading;
@@ -25,7 +26,6 @@ mod settings;
 mod sides;
 mod value;
 mod verb;
-mod wishes;
 mod words;
 
 pub use kind::{Count, Kind};
@@ -33,7 +33,7 @@ pub use notation::{
     Angle, Force, block, degrees, elevation, force, marker, mount, number, open_range, pin, point, roll, shape,
     spindle, tool, way, window, within, yaw,
 };
-pub use options::{Held, Unasked, Wanted, distinct};
+pub use options::{PlaceRequest, ToolPose, Unsupported, distinct};
 pub(crate) use path::tool_name;
 pub use refusal::{Refusal, Spelling};
 pub use sent::sent;
@@ -173,7 +173,7 @@ impl Request {
     }
 
     /// What is asked for by saying so.
-    fn is_wished(&self, option: Opt<bool>) -> bool {
+    fn is_set(&self, option: Opt<bool>) -> bool {
         self.get(option) == Some(true)
     }
 

@@ -77,7 +77,7 @@ fn in_space_the_value_is_the_worst_of_the_zone_at_that_place() {
         assert!((best.centre[0] - 1.5).abs() < 1e-6 && (best.centre[1] - 1.0).abs() < 1e-6, "{:?}", best.centre);
         assert!((best.angle - 30_f64.to_radians()).abs() < 1e-9 && hold.yaw.abs() < 1e-9, "{best:?}");
         let request = asked(&given).unwrap();
-        let (robot, tool) = (request.equipped(robot()).unwrap(), request.held().tool());
+        let (robot, tool) = (request.equipped(robot()).unwrap(), request.tool_pose().tool());
         let Arm::SixAxis { .. } = &robot.arm else { unreachable!() };
         // The tool axis, and what its x axis is at no roll: ahead on a table, upright on a wall.
         let (axis, up) = if direction == "down" {

@@ -131,7 +131,7 @@ fn told(request: &Request) -> String {
     let verb = request.verb;
     if [Verb::Rank, Verb::Place, Verb::Map].contains(&verb) {
         let zone = Zone::Rectangle { width: 1.0, height: 2.0 };
-        told.push(format!("{:?} {:?}", request.model(), request.held()));
+        told.push(format!("{:?} {:?}", request.model(), request.tool_pose()));
         told.push(format!("{:?} {:?}", request.place_options(Some(zone)).ok(), request.place_options(None).ok()));
     }
     told.push(format!("{:?}", request.equipped(paper_robots().swap_remove(0))));
@@ -147,7 +147,7 @@ fn told(request: &Request) -> String {
         }
         Verb::Compliance => {
             let (robot, joints) = (request.robot().ok(), request.joints_deg().ok());
-            format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
+            format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.tool_pose())
         }
         Verb::Modes => {
             let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
@@ -211,7 +211,7 @@ fn told(request: &Request) -> String {
                 (request.path_chatter(None).ok(), request.frf()),
             );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
-            format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())
+            format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.tool_pose())
         }
         Verb::Force => format!("{:?}", request.process().ok()),
     });

@@ -30,7 +30,7 @@ pub(crate) fn worst<'py>(
     progress: Progress,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let asked = asked.of(Verb::Compliance)?;
-    let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.held().tool());
+    let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.tool_pose().tool());
     let joints_deg = rows(&joints_deg)?;
     let mut found = vec![0.0; joints_deg.len()];
     detached(py, &progress, |watch| worst_um_per_n(robot, &tool, joints_deg, &mut found, watch))?
@@ -49,7 +49,7 @@ pub(crate) fn matrices<'py>(
     progress: Progress,
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
     let asked = asked.of(Verb::Compliance)?;
-    let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.held().tool());
+    let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.tool_pose().tool());
     let joints_deg = rows(&joints_deg)?;
     let mut found = vec![[0.0; 9]; joints_deg.len()];
     detached(py, &progress, |watch| matrices_um_per_n(robot, &tool, joints_deg, &mut found, watch))?

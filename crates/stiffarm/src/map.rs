@@ -101,12 +101,12 @@ pub struct MapOptions {
     /// One elbow side, or the stiffer of those that reach a point; planar model only.
     pub elbow: Option<Elbow>,
     /// How the tool is held, spatial model only; straight down where `None`.
-    pub held: Option<Held>,
+    pub held: Option<HeldPosture>,
 }
 
 /// How the tool is held at every point of a map in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Held {
+pub struct HeldPosture {
     /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead.
     pub elevation: f64,
     /// Angle of the tool axis about the vertical, rad: out of the plane, to the left.
@@ -117,7 +117,7 @@ pub struct Held {
     pub configuration: Option<Configuration>,
 }
 
-impl Held {
+impl HeldPosture {
     /// Straight down, at the best roll and in the best configuration of every point.
     pub const TOOL_DOWN: Self =
         Self { elevation: -std::f64::consts::FRAC_PI_2, yaw: 0.0, roll: None, configuration: None };
@@ -130,8 +130,8 @@ impl MapOptions {
     }
 
     /// How the tool is held: straight down where nothing is said.
-    pub fn held(&self) -> Held {
-        self.held.unwrap_or(Held::TOOL_DOWN)
+    pub fn held(&self) -> HeldPosture {
+        self.held.unwrap_or(HeldPosture::TOOL_DOWN)
     }
 }
 

@@ -11,7 +11,7 @@ use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
 use super::{Cell, Line, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
 use stiffarm::load::Direction;
-use stiffarm::map::{Grid, Held, Map, MapOptions, Margins, ROLL_TOLERANCE};
+use stiffarm::map::{Grid, HeldPosture, Map, MapOptions, Margins, ROLL_TOLERANCE};
 use stiffarm::mass::RigidBody;
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::modes::{FirstFrequencies, HeldTool};
@@ -85,7 +85,7 @@ impl MapAnswer {
         absent
     }
 
-    fn held(&self) -> Held {
+    fn held(&self) -> HeldPosture {
         self.options.held()
     }
 

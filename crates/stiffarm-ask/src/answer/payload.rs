@@ -10,7 +10,7 @@ use stiffarm::robot::{Arm, Robot};
 
 /// What is at the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Held {
+pub(super) struct FlangeLoad {
     /// The weight of the tool, where it is told.
     pub(super) tool: Option<ToolWeight>,
     /// Where the force acts, in the flange frame, m; `None` where the model has no tool.
@@ -49,7 +49,7 @@ struct Wrist {
     of: &'static str,
 }
 
-impl Held {
+impl FlangeLoad {
     /// With the tool of a model.
     pub(super) fn of(tool: Option<ToolWeight>, model: &ModelKind, newtons: f64) -> Self {
         let tip = match model {
@@ -88,7 +88,7 @@ impl Payload {
 
 impl Wrist {
     /// `None` where nothing is to be told: of two links alone, and where neither a limit nor the tool's mass centre is known.
-    fn of(robot: &Robot, Held { tool, tip, newtons }: Held) -> Option<Self> {
+    fn of(robot: &Robot, FlangeLoad { tool, tip, newtons }: FlangeLoad) -> Option<Self> {
         let Arm::SixAxis { geometry, drives, .. } = &robot.arm else { return None };
         let limits = drives.motors.wrist_limit();
         let about = |point: Vector3<f64>, newtons: f64| geometry.wrist_levers(&point).map(|lever| lever * newtons);
@@ -175,9 +175,9 @@ mod tests {
     use super::*;
     use stiffarm::catalogue::{find, paper_robots};
 
-    fn held(mass: Option<f64>, centre: Option<[f64; 3]>, newtons: f64) -> Held {
+    fn held(mass: Option<f64>, centre: Option<[f64; 3]>, newtons: f64) -> FlangeLoad {
         let tool = mass.map(|mass| ToolWeight { mass, centre: centre.map(Vector3::from) });
-        Held { tool, tip: Some(Vector3::new(0.0, 0.0, 0.25)), newtons }
+        FlangeLoad { tool, tip: Some(Vector3::new(0.0, 0.0, 0.25)), newtons }
     }
 
     /// By hand: 1000 N weigh as much as 102 kg.
@@ -198,7 +198,7 @@ mod tests {
     #[test]
     fn moments_about_the_wrist_are_told_against_its_limits() {
         let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
-        let told = |held: Held| held.by(&robot).wrist.map(Wrist::told);
+        let told = |held: FlangeLoad| held.by(&robot).wrist.map(Wrist::told);
         assert_eq!(
             told(held(Some(60.0), Some([0.1, 0.0, 0.2]), 1000.0)).as_deref(),
             Some(
@@ -234,7 +234,7 @@ mod tests {
         drives.motors = stiffarm::drive::Motors::UNKNOWN;
     }
 
-    fn told_of(robot: &Robot, held: Held) -> Option<String> {
+    fn told_of(robot: &Robot, held: FlangeLoad) -> Option<String> {
         held.by(robot).wrist.map(Wrist::told)
     }
 }

@@ -15,7 +15,7 @@ use stiffarm::cell::{Cell, Window};
 use stiffarm::clearance::Clearance;
 use stiffarm::interval::Interval;
 use stiffarm::limits::Pendant;
-use stiffarm::map::{Held, MapOptions, Spacing};
+use stiffarm::map::{HeldPosture, MapOptions, Spacing};
 use stiffarm::model::{Model, ModelKind};
 use stiffarm::place::{
     FacePlacement, Outside, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Within,
@@ -83,7 +83,7 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
-        lines.extend(payload::Held::of(options.tool_weight, model, options.load.newtons()).by(robot).lines());
+        lines.extend(payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).lines());
         if !words::component(options.load).is_empty() {
             lines.push(line("what counts", format!("the deflection {}", words::component(options.load))));
         }
@@ -201,10 +201,10 @@ impl PlaceAnswer {
         let stance = self.options.stance();
         let held = match (model, self.placed.feasible().and_then(Placement::space)) {
             (Model::Planar(_), _) => None,
-            (Model::Spatial(_), None) => Some(Held { elevation: stance.elevation, ..Held::TOOL_DOWN }),
+            (Model::Spatial(_), None) => Some(HeldPosture { elevation: stance.elevation, ..HeldPosture::TOOL_DOWN }),
             (Model::Spatial(spatial), Some(hold)) => {
                 let any_roll = stance.roll.is_none() && spatial.arm().tool_turns_about_axis_6();
-                Some(Held {
+                Some(HeldPosture {
                     elevation: stance.elevation,
                     yaw: hold.yaw,
                     roll: (!any_roll).then_some(hold.roll),
@@ -443,7 +443,7 @@ pub(super) fn cell(
     stiffness::put_robot(&mut record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name());
     force::put(&mut record, options.load);
-    payload::Held::of(options.tool_weight, model, options.load.newtons()).by(robot).put(&mut record);
+    payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).put(&mut record);
     asked(&mut record, robot, model, options);
     outcome(&mut record, placed);
     record

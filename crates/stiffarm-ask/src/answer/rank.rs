@@ -6,7 +6,7 @@ mod sentences;
 
 use serde_json::{Value, json};
 
-use super::payload::{Carried, Held};
+use super::payload::{Carried, FlangeLoad};
 use super::place::{cell, put_advice};
 use super::uncertainty::{self, Known};
 use super::verdict::Verdict;
@@ -72,7 +72,7 @@ impl RankAnswer {
 
     /// What a robot must hold.
     pub(super) fn carried(&self, robot: &Robot) -> Carried {
-        Held::of(self.options.tool_weight, &self.ranking.model, self.ranking.load.newtons()).by(robot)
+        FlangeLoad::of(self.options.tool_weight, &self.ranking.model, self.ranking.load.newtons()).by(robot)
     }
 
     /// Where the deflection of a row at a task lies with 90 %, as far as its drives may be off.

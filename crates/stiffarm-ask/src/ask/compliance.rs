@@ -19,7 +19,7 @@ use crate::forms::{Answer, Forms, Makes, Piece};
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ComplianceOutput, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
     let q = asked.joints_deg()?;
-    let tool = asked.held().tool();
+    let tool = asked.tool_pose().tool();
     let load = asked.posture_load();
     let radians = q.map(f64::to_radians);
     let posture =

@@ -35,7 +35,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, Ask
     let map =
         context.watched("mapping", |watch| map_watched(&model, &options, watch)).map_err(|error| match error {
             MapError::NothingReached => {
-                let towards = direction(asked.held().elevation());
+                let towards = direction(asked.tool_pose().elevation());
                 AskError::Usage(format!("{}: no point is reached with the {towards}", robot.name))
             }
             error => failure(error),

@@ -20,7 +20,7 @@ fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String
     if asked.is_given(opt::TASK) {
         let task = asked.task()?;
         work = format!("{} at its best place, tool down", task.label);
-        let tool = asked.held().tool();
+        let tool = asked.tool_pose().tool();
         let found = context.watched("placing", |watch| over(&robot, &tool, task.zone, watch));
         options.work = found.map_err(|error| failed(&robot, error))?;
     }

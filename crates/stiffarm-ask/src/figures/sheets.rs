@@ -18,12 +18,12 @@ const FEWEST: usize = 12;
 const HALVES: usize = 6;
 
 /// How a point is held: configuration and roll, rad.
-type Held = (Configuration, f64);
+type HeldPosture = (Configuration, f64);
 
 /// How the points of a map are held, and those between them.
 pub(crate) struct Ways<'a> {
     /// By column and row of the map.
-    pub at: Box<dyn Fn(usize, usize) -> Option<Held> + 'a>,
+    pub at: Box<dyn Fn(usize, usize) -> Option<HeldPosture> + 'a>,
     /// By m from the base.
     pub between: PointsBetween,
 }
@@ -40,11 +40,11 @@ pub(crate) struct Part {
 pub(crate) fn parts(
     grid: &Grid,
     jump: f64,
-    held: &dyn Fn(usize, usize) -> Option<Held>,
-    between: &dyn Fn(Node) -> Option<Held>,
+    held: &dyn Fn(usize, usize) -> Option<HeldPosture>,
+    between: &dyn Fn(Node) -> Option<HeldPosture>,
 ) -> Vec<Part> {
     let at = |[i, j]: [i64; 2]| held(i as usize, j as usize);
-    let search = |inside: [i64; 2], outside: [i64; 2], belongs: &dyn Fn(Option<Held>) -> bool| {
+    let search = |inside: [i64; 2], outside: [i64; 2], belongs: &dyn Fn(Option<HeldPosture>) -> bool| {
         let node = |share: f64| [0, 1].map(|k| inside[k] as f64 + share * (outside[k] - inside[k]) as f64);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..HALVES {
@@ -80,9 +80,9 @@ pub(crate) fn parts(
 ///
 /// Points hang together where the roll turns slowly. Of what is apart then, those are one part again between which the field
 /// nowhere jumps.
-fn numbered(grid: &Grid, jump: f64, held: &dyn Fn(usize, usize) -> Option<Held>) -> (Vec<Option<usize>>, usize) {
+fn numbered(grid: &Grid, jump: f64, held: &dyn Fn(usize, usize) -> Option<HeldPosture>) -> (Vec<Option<usize>>, usize) {
     let at = |i: usize, j: usize| grid.get(i as i64, j as i64).and_then(|_| held(i, j));
-    let ways: Vec<Option<Held>> =
+    let ways: Vec<Option<HeldPosture>> =
         (0..grid.columns * grid.rows).map(|k| at(k % grid.columns, k / grid.columns)).collect();
     let (numbers, count) = slowly_turning(grid.columns, &ways);
     let mut groups: Vec<usize> = (0..count).collect();
@@ -109,7 +109,7 @@ fn numbered(grid: &Grid, jump: f64, held: &dyn Fn(usize, usize) -> Option<Held>)
 type Pairs = BTreeSet<(usize, usize)>;
 
 /// Points that hang together, neighbour by neighbour, whatever the field.
-fn slowly_turning(columns: usize, ways: &[Option<Held>]) -> (Vec<Option<usize>>, usize) {
+fn slowly_turning(columns: usize, ways: &[Option<HeldPosture>]) -> (Vec<Option<usize>>, usize) {
     let mut numbers = vec![None; ways.len()];
     let mut count = 0;
     for start in 0..ways.len() {
@@ -134,7 +134,7 @@ fn slowly_turning(columns: usize, ways: &[Option<Held>]) -> (Vec<Option<usize>>,
 
 /// Pairs of numbers that are neighbours with the arm held alike: those between which the field does not jump at some point, and those between
 /// which it does.
-fn borders(grid: &Grid, jump: f64, ways: &[Option<Held>], numbers: &[Option<usize>]) -> (Pairs, Pairs) {
+fn borders(grid: &Grid, jump: f64, ways: &[Option<HeldPosture>], numbers: &[Option<usize>]) -> (Pairs, Pairs) {
     let value = |cell: usize| grid.get((cell % grid.columns) as i64, (cell / grid.columns) as i64);
     let (mut level, mut cliffs) = (BTreeSet::new(), BTreeSet::new());
     for from in 0..ways.len() {
@@ -163,8 +163,8 @@ fn beside(cell: usize, columns: usize, cells: usize) -> impl Iterator<Item = usi
 
 /// How different two ways are: the turn between their rolls, and much more where shoulder or elbow differ. Both wrists put every axis
 /// into the same place.
-fn apart(one: Held, other: Held) -> f64 {
-    let arm = |(configuration, _): Held| -> (Shoulder, Elbow) { (configuration.shoulder, configuration.elbow) };
+fn apart(one: HeldPosture, other: HeldPosture) -> f64 {
+    let arm = |(configuration, _): HeldPosture| -> (Shoulder, Elbow) { (configuration.shoulder, configuration.elbow) };
     let turn = ((one.1 - other.1 + PI).rem_euclid(TAU) - PI).abs();
     if arm(one) == arm(other) { turn } else { TAU + turn }
 }

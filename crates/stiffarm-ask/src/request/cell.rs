@@ -1,13 +1,13 @@
 //! How does what is asked of a cell become options of the solver: heights and directions as the robot sees them?
 
-use super::Unasked;
+use super::Unsupported;
 use nalgebra::Vector3;
 use stiffarm::cell::{Block, Cell, MOST_BLOCKS, Mount, Window};
 use stiffarm::interval::Interval;
 use stiffarm::place::{Margins, PlaceOptions, Stance, Within};
 
 /// What is asked of a cell.
-pub(super) struct CellWish {
+pub(super) struct CellOptions {
     pub(super) mount: Option<Mount>,
     pub(super) windows: Vec<Window>,
     pub(super) keep_out: Vec<Block>,
@@ -17,7 +17,7 @@ pub(super) struct CellWish {
     pub(super) has_floor: bool,
 }
 
-impl CellWish {
+impl CellOptions {
     /// Nothing but a window ahead of the robot, or not even that.
     fn is_usual(&self) -> bool {
         let usual_windows = matches!(self.windows.as_slice(), [] | [Window::Ring { .. }]);
@@ -25,15 +25,15 @@ impl CellWish {
     }
 
     /// Adds the cell to what is asked of a placement.
-    pub(super) fn of(self, options: &PlaceOptions, is_spatial: bool) -> Result<PlaceOptions, Unasked> {
+    pub(super) fn of(self, options: &PlaceOptions, is_spatial: bool) -> Result<PlaceOptions, Unsupported> {
         if self.is_usual() {
             return Ok(*options);
         }
         if !is_spatial {
-            return Err(Unasked::CellInPlane);
+            return Err(Unsupported::CellInPlane);
         }
         if self.has_floor {
-            return Err(Unasked::Floor);
+            return Err(Unsupported::Floor);
         }
         let mount = self.mount.unwrap_or_else(|| Mount::pedestal(0.0));
         let mut cell = Cell { clearance: self.clearance, ..Cell::of(mount) };
@@ -72,14 +72,14 @@ impl CellWish {
 }
 
 /// How the tool is held, as the robot sees it.
-fn stance(cell: &mut Cell, asked: Stance) -> Result<Stance, Unasked> {
+fn stance(cell: &mut Cell, asked: Stance) -> Result<Stance, Unsupported> {
     let mount = cell.mount;
     if mount.is_vertical() {
         let up = mount.uprightness().signum();
         return Ok(Stance { elevation: up * asked.elevation, yaw: asked.yaw.affine(up, 0.0), ..asked });
     }
     if !asked.is_vertical() {
-        return Err(Unasked::Leaning);
+        return Err(Unsupported::Leaning);
     }
     let axis = mount.cell_from_base.rotation.inverse() * (Vector3::z() * asked.elevation.signum());
     cell.azimuth = Some(axis.y.atan2(axis.x));
@@ -93,8 +93,8 @@ mod tests {
     use super::*;
     use stiffarm::load::Load;
 
-    fn asked(mount: Mount, stance: Stance) -> Result<PlaceOptions, Unasked> {
-        let wish = CellWish {
+    fn asked(mount: Mount, stance: Stance) -> Result<PlaceOptions, Unsupported> {
+        let wish = CellOptions {
             mount: Some(mount),
             windows: Vec::new(),
             keep_out: Vec::new(),
@@ -117,6 +117,6 @@ mod tests {
         let wall = asked(Mount::wall(2.0), Stance::tool_down()).unwrap();
         close(wall.stance().elevation, 0.0);
         close(wall.cell.unwrap().azimuth.unwrap(), 0.0);
-        assert_eq!(asked(Mount::wall(2.0), Stance::tool_at(0.0)), Err(Unasked::Leaning));
+        assert_eq!(asked(Mount::wall(2.0), Stance::tool_at(0.0)), Err(Unsupported::Leaning));
     }
 }

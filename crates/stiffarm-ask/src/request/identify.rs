@@ -30,7 +30,7 @@ impl Request {
             estimator: self.value(opt::FIT),
             model: self.value(opt::SPRINGS),
             regions: self.value(opt::REGIONS),
-            with_prior: self.is_wished(opt::PRIOR),
+            with_prior: self.is_set(opt::PRIOR),
             date: self.date(),
         }
     }

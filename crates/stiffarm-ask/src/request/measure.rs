@@ -30,13 +30,13 @@ impl Request {
             window: window.map(|block| [block.x, block.y, block.z]),
             instrument: self.instrument(),
             work: Vec::new(),
-            tool: self.held().tool().translation.vector,
+            tool: self.tool_pose().tool().translation.vector,
         }
     }
 
     /// Postures to calibrate an arm are asked for, and no loads.
     pub fn plans_geometry(&self) -> bool {
-        self.verb == Verb::Measure && self.is_wished(opt::GEOMETRY)
+        self.verb == Verb::Measure && self.is_set(opt::GEOMETRY)
     }
 
     /// What says nothing where an arm is calibrated.

@@ -15,7 +15,7 @@ impl Request {
     /// # Errors
     /// A mass without its centre, or an inertia without a mass.
     pub fn held_tool(&self) -> Result<HeldTool, Refusal> {
-        let mut tool = HeldTool { flange_from_tool: self.held().tool(), body: None };
+        let mut tool = HeldTool { flange_from_tool: self.tool_pose().tool(), body: None };
         let Some(ToolWeight { mass, centre }) = self.tool_weight() else {
             let is_lone = self.is_given(opt::TOOL_INERTIA_KG_M2);
             return if is_lone { Err(self.missing(opt::TOOL_MASS_KG)) } else { Ok(tool) };
@@ -71,7 +71,7 @@ impl Request {
     /// # Errors
     /// A mass without its centre.
     pub fn path_chatter(&self, measured: Option<&MeasuredTip>) -> Result<Option<MillHeld>, Refusal> {
-        if !self.is_wished(opt::CHATTER) {
+        if !self.is_set(opt::CHATTER) {
             return Ok(None);
         }
         Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping(), measured: measured.cloned() }))

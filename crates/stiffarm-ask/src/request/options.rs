@@ -1,4 +1,4 @@
-//! How do the wishes of a request become options of the solvers, with the usual answer where nothing is said?
+//! How do the parsed of a request become options of the solvers, with the usual answer where nothing is said?
 
 use super::notation::Angle;
 use super::opt;
@@ -11,7 +11,7 @@ use stiffarm::task::{Task, Zone};
 
 /// What is asked of a placement, whatever the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wanted {
+pub struct PlaceRequest {
     /// Cutting force.
     pub load: Load,
     /// Where the zone may stand, m from the robot's base.
@@ -26,7 +26,7 @@ pub struct Wanted {
 
 /// How the tool is held, in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Held {
+pub struct ToolPose {
     /// The tool frame in the flange frame; the flange where `None`.
     pub tool: Option<Pose>,
     /// Angle of the tool axis above the horizontal, deg; down where `None`.
@@ -39,7 +39,7 @@ pub struct Held {
 
 /// What a model cannot be asked; the first word is the name of the option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Unasked {
+pub enum Unsupported {
     /// On a table no side is the upper one.
     #[error(
         "horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
@@ -73,7 +73,7 @@ pub enum Unasked {
     Scale,
 }
 
-impl Unasked {
+impl Unsupported {
     /// The option that says it.
     pub(super) const fn setting(self) -> &'static str {
         match self {
@@ -88,12 +88,12 @@ impl Unasked {
     }
 }
 
-impl Wanted {
+impl PlaceRequest {
     /// The options of a model for one zone, or for zones of any shape where there is none.
     ///
     /// # Errors
     /// Where the spatial model has no answer.
-    pub fn options(&self, model: &ModelKind, held: &Held, zone: Option<Zone>) -> Result<PlaceOptions, Unasked> {
+    pub fn options(&self, model: &ModelKind, tool: &ToolPose, zone: Option<Zone>) -> Result<PlaceOptions, Unsupported> {
         let asked = PlaceOptions {
             within: self.within,
             gap: self.gap,
@@ -106,15 +106,15 @@ impl Wanted {
                 Ok(PlaceOptions { orientation: self.angle.orientation(zone), ..asked })
             }
             ModelKind::Spatial(_) => {
-                let (stance, orientation) = (held.stance()?, self.on_a_plane(held, zone)?);
+                let (stance, orientation) = (tool.stance()?, self.on_a_plane(tool, zone)?);
                 Ok(PlaceOptions { orientation, stance: Some(stance), ..asked })
             }
         }
     }
 
     /// Of a rectangle on a table or a wall.
-    fn on_a_plane(&self, held: &Held, zone: Option<Zone>) -> Result<Orientation, Unasked> {
-        let is_wall = !Stance::tool_at(held.elevation()).is_vertical();
+    fn on_a_plane(&self, tool: &ToolPose, zone: Option<Zone>) -> Result<Orientation, Unsupported> {
+        let is_wall = !Stance::tool_at(tool.elevation()).is_vertical();
         // On a wall 0 has the first side upright.
         let long_side_at = |upright: f64, lying: f64| {
             zone.map_or(Orientation::Axes, |zone| {
@@ -126,18 +126,18 @@ impl Wanted {
             Angle::Axes => Ok(Orientation::Axes),
             Angle::Free => Ok(Orientation::Free),
             Angle::Degrees(angle) => Ok(Orientation::Fixed(angle.to_radians())),
-            Angle::Horizontal | Angle::Vertical if !is_wall => Err(Unasked::LongSide),
+            Angle::Horizontal | Angle::Vertical if !is_wall => Err(Unsupported::LongSide),
             Angle::Vertical => Ok(long_side_at(0.0, 90.0)),
             Angle::Horizontal => Ok(long_side_at(90.0, 0.0)),
         }
     }
 }
 
-impl Held {
-    fn stance(&self) -> Result<Stance, Unasked> {
+impl ToolPose {
+    fn stance(&self) -> Result<Stance, Unsupported> {
         let usual = Stance::tool_at(self.elevation());
         if self.yaw.is_some() && usual.is_vertical() {
-            return Err(Unasked::Yaw);
+            return Err(Unsupported::Yaw);
         }
         Ok(Stance { yaw: self.yaw.unwrap_or(usual.yaw), roll: self.roll(), ..usual })
     }

@@ -1,6 +1,6 @@
 //! What does a request ask of a toolpath, and of a process?
 
-use super::cell::CellWish;
+use super::cell::CellOptions;
 use super::notation::of_tool;
 use super::words::BodyUnit;
 use super::{Force, Refusal, Request, Verb, opt};
@@ -78,7 +78,7 @@ impl Request {
     /// # Errors
     /// Where lengths are told, and none of this tool.
     pub fn tip_of(&self, tool: Option<u32>) -> Result<Pose, Refusal> {
-        let (lengths, spindle) = (self.tool_lengths(), self.held().tool());
+        let (lengths, spindle) = (self.tool_lengths(), self.tool_pose().tool());
         if lengths.is_empty() {
             return Ok(spindle);
         }
@@ -229,9 +229,9 @@ impl Request {
         given.or_else(|| self.tool_lengths().into_iter().find_map(of_tool))
     }
 
-    /// A program is wanted although the arm touches something.
+    /// A program is written although the arm touches something.
     pub fn allows_contact(&self) -> bool {
-        self.is_wished(opt::ALLOW_CONTACT)
+        self.is_set(opt::ALLOW_CONTACT)
     }
 
     /// Where along the path the roll is pinned, m, and to which angle, rad.
@@ -263,15 +263,15 @@ impl Request {
         let margins = self.margins(within);
         let options = PlaceOptions { within, margins, ..PlaceOptions::under(Load::PAPER) };
         // What a path keeps clear of decides how it is followed, not where it is sought.
-        let cell = CellWish { clearance: None, ..self.cell(self.windows()) };
-        let in_cell = cell.of(&options, true).map_err(|unasked| self.unanswered(unasked))?;
+        let cell = CellOptions { clearance: None, ..self.cell(self.windows()) };
+        let in_cell = cell.of(&options, true).map_err(|unsupported| self.unanswered(unsupported))?;
         let PlaceOptions { margins, within, cell, .. } = in_cell;
         Ok(PathGround { margins, within, cell })
     }
 
     /// Only what was understood of the path is told.
     pub fn is_dry(&self) -> bool {
-        self.is_wished(opt::DRY)
+        self.is_set(opt::DRY)
     }
 
     /// How the path of this name is written: as was said, or as its name ends.

@@ -26,7 +26,7 @@ impl Request {
 
     /// All robots of the catalogue are tried.
     pub fn tries_all(&self) -> bool {
-        self.is_wished(opt::ANY)
+        self.is_set(opt::ANY)
     }
 
     /// Readings of a robot that nobody has named.

@@ -175,7 +175,7 @@ pub(crate) fn studies() -> Vec<Value> {
 pub(crate) fn compliances() -> Vec<Value> {
     let of = |typed: Typed| {
         let asked = asked(Verb::Compliance, &[typed, &[("joints-deg", "0,-90,90,10,20,30")]].concat());
-        let (joints_deg, tool) = (asked.joints_deg().unwrap(), asked.held().tool());
+        let (joints_deg, tool) = (asked.joints_deg().unwrap(), asked.tool_pose().tool());
         let robot = asked.equipped(kuka()).unwrap();
         let posture = compliance(&robot, &joints_deg.map(f64::to_radians), &tool).unwrap();
         ComplianceAnswer { robot, joints_deg, posture, load: asked.posture_load() }.json()

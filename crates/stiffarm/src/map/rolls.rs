@@ -227,7 +227,7 @@ mod tests {
     use crate::compliance::compliance;
     use crate::inverse::reached;
     use crate::load::Load;
-    use crate::map::{Axis, Extent, Held, Map, MapOptions, ROLL_TOLERANCE, map};
+    use crate::map::{Axis, Extent, HeldPosture, Map, MapOptions, ROLL_TOLERANCE, map};
     use crate::model::Model;
     use crate::robot::Robot;
     use crate::spatial::Pose;
@@ -261,7 +261,7 @@ mod tests {
     impl Mapped {
         fn of(robot: &Robot, [x, z]: [Axis; 2], tool: &Pose, elevation: f64) -> Self {
             let model = Model::spatial(robot, tool).unwrap();
-            let held = Some(Held { elevation, ..Held::TOOL_DOWN });
+            let held = Some(HeldPosture { elevation, ..HeldPosture::TOOL_DOWN });
             let options = MapOptions { extent: Extent::Grid { x, z }, load: Load::PAPER, elbow: None, held };
             let map = map(&model, &options).unwrap();
             Self { model, options, map }

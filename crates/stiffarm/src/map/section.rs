@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::rolls::{Hold, Rolls};
-use super::{Axis, Grid, Held, MOST_CELLS_IN_SPACE, Map, MapError, Margins, check_grid};
+use super::{Axis, Grid, HeldPosture, MOST_CELLS_IN_SPACE, Map, MapError, Margins, check_grid};
 use crate::batch::{SameBranch, SpatialArm};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, postures, within_limits};
@@ -31,13 +31,13 @@ struct SectionOptions<'a> {
     x: Axis,
     z: Axis,
     load: Load,
-    held: &'a Held,
+    held: &'a HeldPosture,
 }
 
 /// Joint angles as reported, rad, at a point held in a configuration and at a roll.
 pub(super) fn joints(
     model: &SpatialModel,
-    (load, held): (Load, &Held),
+    (load, held): (Load, &HeldPosture),
     (configuration, roll): (Configuration, f64),
     [x, z]: [f64; 2],
 ) -> Option<[f64; 6]> {
@@ -66,7 +66,7 @@ fn roomiest(arm: &SpatialArm, theta: &[f64; 6]) -> Option<[f64; 6]> {
 pub(super) fn section(
     arm: &SpatialArm,
     [x, z]: [Axis; 2],
-    (load, held): (Load, &Held),
+    (load, held): (Load, &HeldPosture),
     watch: Watch,
 ) -> Result<Map, Stopped> {
     let options = SectionOptions { x, z, load, held };
@@ -92,11 +92,11 @@ pub(super) fn section(
 pub(super) struct Points {
     freed: SpatialArm,
     load: Load,
-    held: Held,
+    held: HeldPosture,
 }
 
 impl Points {
-    pub(super) fn new(arm: &SpatialArm, load: Load, held: &Held) -> Self {
+    pub(super) fn new(arm: &SpatialArm, load: Load, held: &HeldPosture) -> Self {
         Self { freed: freed(arm, load, held), load, held: *held }
     }
 
@@ -115,7 +115,7 @@ impl Points {
 pub(super) fn reached_box(
     arm: &SpatialArm,
     load: Load,
-    held: &Held,
+    held: &HeldPosture,
     watch: Watch,
 ) -> Result<Option<[Interval; 2]>, MapError> {
     let [ahead, up] = arm.reach();
@@ -154,7 +154,7 @@ impl Cell {
 
 /// The arm without the limits that are left aside. Under a force that tells one bearing from another, the section stands for itself
 /// alone, and joint 1 keeps its own.
-fn freed(arm: &SpatialArm, load: Load, held: &Held) -> SpatialArm {
+fn freed(arm: &SpatialArm, load: Load, held: &HeldPosture) -> SpatialArm {
     let roll_is_free = held.roll.is_none() && arm.tool_turns_about_axis_6();
     arm.without_limit_on(0, !load.breaks_symmetry()).without_limit_on(5, roll_is_free)
 }
@@ -305,7 +305,7 @@ mod tests {
         model
     }
 
-    fn section(arm: &SpatialArm, x: Axis, z: Axis, load: Load, held: &Held) -> Map {
+    fn section(arm: &SpatialArm, x: Axis, z: Axis, load: Load, held: &HeldPosture) -> Map {
         super::section(arm, [x, z], (load, held), Watch::nobody()).unwrap()
     }
 
@@ -315,7 +315,8 @@ mod tests {
         for (n, robot) in paper_robots().iter().enumerate().take(4) {
             let tool = tools[n % 2];
             let (x, z) = (Axis::between(0.4, 2.6, 8), Axis::between(0.2, 2.2, 7));
-            let held = Held { elevation: [-FRAC_PI_2, 0.0][n / 2], yaw: 0.2, roll: Some(0.3), configuration: None };
+            let held =
+                HeldPosture { elevation: [-FRAC_PI_2, 0.0][n / 2], yaw: 0.2, roll: Some(0.3), configuration: None };
             let model = spatial(robot, &tool);
             let map = section(model.arm(), x, z, Load::PAPER, &held);
             let found = map.space.as_ref().unwrap();
@@ -361,7 +362,8 @@ mod tests {
         let (x, z) = (Axis::between(0.4, 2.6, 7), Axis::between(0.2, 2.2, 6));
         let mut told = 0;
         for (n, load) in loads.into_iter().enumerate() {
-            let held = Held { elevation: -FRAC_PI_2 + 0.4 * n as f64, yaw: 0.2, roll: Some(0.3), configuration: None };
+            let held =
+                HeldPosture { elevation: -FRAC_PI_2 + 0.4 * n as f64, yaw: 0.2, roll: Some(0.3), configuration: None };
             let map = section(spatial(robot, &tool).arm(), x, z, load, &held).deflection;
             for (i, j) in (0..42).map(|cell| (cell % 7, cell / 7)) {
                 let work = WorkPlacement { x: x.at(i), y: 0.0, z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
@@ -392,7 +394,7 @@ mod tests {
         limits.joints[3] = Interval::spanning(-7.0, 6.0);
         let tool = Pose::translation(0.15, 0.05, 0.1);
         let (x, z) = (Axis::between(0.9, 1.9, 6), Axis::between(0.3, 1.3, 6));
-        let held = Held { elevation: -1.2, roll: Some(0.3), ..Held::TOOL_DOWN };
+        let held = HeldPosture { elevation: -1.2, roll: Some(0.3), ..HeldPosture::TOOL_DOWN };
         // Where one posture is told joint 6 has next to no room, and a turn further much.
         let model = spatial(&robot, &tool);
         let way = section(model.arm(), x, z, Load::UNIT, &held).space.unwrap().at(3, 3).unwrap();
@@ -432,7 +434,7 @@ mod tests {
         }
         let tool = Pose::translation(0.25, 0.0, 0.1);
         let (x, z) = (Axis::between(0.9, 1.9, 21), Axis::between(0.3, 1.3, 21));
-        let map = section(spatial(&robot, &tool).arm(), x, z, Load::UNIT, &Held::TOOL_DOWN);
+        let map = section(spatial(&robot, &tool).arm(), x, z, Load::UNIT, &HeldPosture::TOOL_DOWN);
         let rolls: Vec<f64> = (0..21)
             .flat_map(|j| map.space.as_ref().unwrap().row(j).flatten().collect::<Vec<_>>())
             .map(|held| held.1)
@@ -448,7 +450,7 @@ mod tests {
         let robot = &paper_robots()[4];
         let (x, z) = (Axis::between(0.8, 2.4, 9), Axis::between(0.3, 2.0, 9));
         let mapped = |tool: Pose, roll: Option<f64>| {
-            let held = Held { elevation: 0.0, roll, ..Held::TOOL_DOWN };
+            let held = HeldPosture { elevation: 0.0, roll, ..HeldPosture::TOOL_DOWN };
             section(spatial(robot, &tool).arm(), x, z, Load::UNIT, &held).deflection
         };
         let (best, rolled) = (mapped(Pose::identity(), None), mapped(Pose::identity(), Some(1.0)));

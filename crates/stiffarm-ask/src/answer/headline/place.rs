@@ -1,7 +1,7 @@
 //! The best place of one zone in a few sentences.
 
 use super::super::PlaceAnswer;
-use super::super::payload::Held;
+use super::super::payload::FlangeLoad;
 use super::super::verdict::{HOLDS, Verdict};
 use super::super::words::{self, fixed};
 use super::{Headline, Outcome, judged, means, mm, rests_on, scattered};
@@ -21,7 +21,7 @@ impl PlaceAnswer {
         };
         let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force: {}.", words::load(self.options.load, &self.model)));
-        let held = Held::of(self.options.tool_weight, &self.model, self.options.load.newtons());
+        let held = FlangeLoad::of(self.options.tool_weight, &self.model, self.options.load.newtons());
         rests_on.extend(held.by(&self.robot).sentences());
         rests_on.extend(self.notes().lines().filter(|line| *line != HOLDS).map(sentence));
         Headline { outcome, sentences, rests_on }

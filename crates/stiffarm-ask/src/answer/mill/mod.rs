@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 
-use super::payload::{Carried, Held};
+use super::payload::{Carried, FlangeLoad};
 use super::uncertainty::Known;
 use super::verdict::Verdict;
 use super::{fixed, with_schema};
@@ -199,7 +199,7 @@ impl MillAnswer {
     /// What the robot must hold.
     pub(super) fn carried(&self) -> Carried {
         let tip = Some(self.flange_from_tool.translation.vector);
-        Held { tool: self.options.tool_weight, tip, newtons: self.newtons() }.by(&self.robot)
+        FlangeLoad { tool: self.options.tool_weight, tip, newtons: self.newtons() }.by(&self.robot)
     }
 
     fn blocked(&self) -> Option<&Blocked> {

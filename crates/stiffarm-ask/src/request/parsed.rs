@@ -1,18 +1,20 @@
 //! What does a request ask? Its values by what they mean, in SI, with the default where nothing was given.
 
-use super::cell::CellWish;
+use super::cell::CellOptions;
 use super::notation::of_tool;
 use super::opt::{self, Opt};
 use super::setting::FILTERS;
 use super::words::{ModelName, Quantity, StiffnessOf};
-use super::{Angle, Held, Kind, Layer, Refusal, Request, Setting, Spelling, Unasked, Verb, Wanted, default_of};
+use super::{
+    Angle, Kind, Layer, PlaceRequest, Refusal, Request, Setting, Spelling, ToolPose, Unsupported, Verb, default_of,
+};
 use nalgebra::Vector3;
 use stiffarm::catalogue::{Filter, with_compliance};
 use stiffarm::cell::{Mount, Window};
 use stiffarm::interval::Interval;
 use stiffarm::inverse::Configuration;
 use stiffarm::load::Load;
-use stiffarm::map::{Extent, Held as HeldTool, MapOptions, Spacing};
+use stiffarm::map::{Extent, HeldPosture, MapOptions, Spacing};
 use stiffarm::mass::ToolWeight;
 use stiffarm::model::ModelKind;
 use stiffarm::place::{Column, Margins, Orientation, PlaceOptions, Within};
@@ -86,7 +88,7 @@ impl Request {
 
     /// Which model, with the tool where it has one.
     pub fn model(&self) -> ModelKind {
-        if self.is_spatial() { ModelKind::Spatial(self.held().tool()) } else { ModelKind::Planar }
+        if self.is_spatial() { ModelKind::Spatial(self.tool_pose().tool()) } else { ModelKind::Planar }
     }
 
     /// The robot with the stiffness that is asked for, or as it is where none is; and with what is said of its pendant.
@@ -95,7 +97,7 @@ impl Request {
     /// Where no robot has such drives: all of them rigid, or too soft for the gravity compensator.
     pub fn equipped(&self, robot: Robot) -> Result<Robot, Refusal> {
         let robot = self.with_asked_stiffness(robot)?;
-        Ok(if self.is_wished(opt::PENDANT_AS_FILE) { robot.with_pendant_given() } else { robot })
+        Ok(if self.is_set(opt::PENDANT_AS_FILE) { robot.with_pendant_given() } else { robot })
     }
 
     fn with_asked_stiffness(&self, robot: Robot) -> Result<Robot, Refusal> {
@@ -176,21 +178,27 @@ impl Request {
         self.get(opt::ANGLE).unwrap_or(Angle::Axes)
     }
 
-    fn wanted(&self) -> Wanted {
+    fn place_request(&self) -> PlaceRequest {
         let within = self.ahead();
         if self.is_the_papers() {
-            return Wanted { load: Load::PAPER, within: None, margins: Margins::NONE, angle: Angle::Axes, gap: None };
+            return PlaceRequest {
+                load: Load::PAPER,
+                within: None,
+                margins: Margins::NONE,
+                angle: Angle::Axes,
+                gap: None,
+            };
         }
         let load = match self.verb {
             // A zone on a map of the arm plane is placed for the worst direction, whatever is mapped.
             Verb::Map => self.load().in_worst_direction(),
-            // Held in the stiffest way, whatever pushes.
+            // ToolPose in the stiffest way, whatever pushes.
             Verb::Modes => Load::PAPER,
             _ => self.load(),
         };
         let within_or_anywhere = Some(within.unwrap_or(Within::ANYWHERE));
         let margins = self.margins(within);
-        Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.get(opt::GAP) }
+        PlaceRequest { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.get(opt::GAP) }
     }
 
     /// The one window that lies ahead of the robot wherever that is turned to, where it is the only one.
@@ -232,8 +240,8 @@ impl Request {
     /// Of a verb that places nothing.
     pub fn place_options(&self, zone: Option<Zone>) -> Result<PlaceOptions, Refusal> {
         self.check_process()?;
-        let unanswered = |unasked| self.unanswered(unasked);
-        let mut options = self.wanted().options(&self.model(), &self.held(), zone).map_err(unanswered)?;
+        let unanswered = |unsupported| self.unanswered(unsupported);
+        let mut options = self.place_request().options(&self.model(), &self.tool_pose(), zone).map_err(unanswered)?;
         options.tool_weight = self.tool_weight();
         let windows = match *self.all(opt::AT).as_slice() {
             [x, z] => vec![self.only_place(&mut options, [x, z], zone).map_err(unanswered)?],
@@ -243,22 +251,22 @@ impl Request {
     }
 
     /// Options under which the middle of a zone stands at one place, and the window that it fills there.
-    fn only_place(&self, options: &mut PlaceOptions, at: [f64; 2], zone: Option<Zone>) -> Result<Window, Unasked> {
-        let zone = zone.filter(|_| self.works().iter().all(|task| task.part.is_none())).ok_or(Unasked::Middle)?;
+    fn only_place(&self, options: &mut PlaceOptions, at: [f64; 2], zone: Option<Zone>) -> Result<Window, Unsupported> {
+        let zone = zone.filter(|_| self.works().iter().all(|task| task.part.is_none())).ok_or(Unsupported::Middle)?;
         let angle = match options.orientation {
             Orientation::Axes => 0.0,
             Orientation::Fixed(angle) => angle,
-            Orientation::Free => return Err(Unasked::FreeAtOnePlace),
+            Orientation::Free => return Err(Unsupported::FreeAtOnePlace),
         };
         options.orientation = Orientation::Fixed(angle);
         let half: [f64; 2] = match &mut options.stance {
             None => zone.half_extents(angle).into(),
             Some(stance) => {
-                if !stance.is_vertical() && self.held().yaw.is_none() {
+                if !stance.is_vertical() && self.tool_pose().yaw.is_none() {
                     stance.yaw = Interval::point(0.0);
                 }
                 if !stance.is_vertical() && 0.0 < stance.yaw.width() {
-                    return Err(Unasked::YawAtOnePlace);
+                    return Err(Unsupported::YawAtOnePlace);
                 }
                 let yaw = if stance.is_vertical() { 0.0 } else { stance.yaw.min() };
                 let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw, angle, roll: 0.0 };
@@ -281,8 +289,8 @@ impl Request {
     }
 
     /// What is asked of the cell.
-    pub(super) fn cell(&self, windows: Vec<Window>) -> CellWish {
-        CellWish {
+    pub(super) fn cell(&self, windows: Vec<Window>) -> CellOptions {
+        CellOptions {
             mount: self.mount(),
             windows,
             keep_out: self.all(opt::KEEP_OUT),
@@ -296,19 +304,19 @@ impl Request {
     /// # Panics
     /// Of a verb that maps nothing.
     pub fn map_options(&self) -> MapOptions {
-        let held = self.held();
-        let held = self.is_spatial().then(|| HeldTool {
-            elevation: held.elevation(),
+        let tool = self.tool_pose();
+        let held = self.is_spatial().then(|| HeldPosture {
+            elevation: tool.elevation(),
             yaw: 0.0,
-            roll: held.roll(),
+            roll: tool.roll(),
             configuration: self.posture(),
         });
         MapOptions { extent: Extent::Reached(self.spacing()), load: self.load(), elbow: self.elbow(), held }
     }
 
     /// How the tool is held, in space.
-    pub fn held(&self) -> Held {
-        Held {
+    pub fn tool_pose(&self) -> ToolPose {
+        ToolPose {
             tool: self.get(opt::TOOL_MM).or_else(|| self.get(opt::TOOL)),
             elevation_deg: self.get(opt::TOOL_DIRECTION),
             yaw: self.get(opt::YAW_DEG),
@@ -316,8 +324,8 @@ impl Request {
         }
     }
 
-    pub(super) fn unanswered(&self, unasked: Unasked) -> Refusal {
-        self.refused(unasked.setting(), unasked.to_string())
+    pub(super) fn unanswered(&self, unsupported: Unsupported) -> Refusal {
+        self.refused(unsupported.setting(), unsupported.to_string())
     }
 
     /// What an option means has no answer.
@@ -366,7 +374,7 @@ impl Request {
         let scale = self.get(opt::SCALE);
         match scale.filter(|scale| scale.width() == 0.0) {
             None => Ok(scale),
-            Some(_) => Err(self.unanswered(Unasked::Scale)),
+            Some(_) => Err(self.unanswered(Unsupported::Scale)),
         }
     }
 
@@ -375,7 +383,7 @@ impl Request {
         self.get(opt::WIDTH_MM)
     }
 
-    /// Which robots of the catalogue are wanted.
+    /// Which robots of the catalogue are asked for.
     pub fn filter(&self, words: Vec<String>) -> Filter {
         Filter {
             words,
