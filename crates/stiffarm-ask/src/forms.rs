@@ -15,7 +15,7 @@ use stiffarm::plain::on_one_line;
 use crate::answer::{Lead, Rows, Table};
 use crate::error::AskError;
 use crate::exports;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::view3d::View;
 use crate::report::Report;
 
@@ -140,8 +140,8 @@ pub trait Answer {
     }
 
     /// What was asked of the figure alone.
-    fn plate(&self) -> Plate {
-        Plate::default()
+    fn figure_size(&self) -> FigureSize {
+        FigureSize::default()
     }
 
     /// What can be turned in space, where there is such a view.

@@ -218,7 +218,7 @@ impl<'a> Body<'a> {
             Form::Md => Self::of_format(answer, Format::Md),
             Form::Txt => Self::of_format(answer, Format::Table),
             Form::Parquet => Self::Parquet(answer.rows(), answer.forms().command),
-            Form::Png(what) => Self::Bytes(raster::png(&picture(answer.drawn(what))?, answer.plate().pixels())?),
+            Form::Png(what) => Self::Bytes(raster::png(&picture(answer.drawn(what))?, answer.figure_size().pixels())?),
             Form::Pdf(what) => Self::Bytes(raster::pdf(&picture(answer.drawn(what))?)?),
             Form::PrintedReport => Self::Bytes(pdf::of(&picture(answer.report())?)?),
             form => Self::Bytes(form.text(answer)?.unwrap_or_default()),

@@ -8,7 +8,7 @@ use super::reports::{self, Inputs};
 use crate::answer::{CalibrateAnswer, Rows};
 use crate::date::today;
 use crate::error::AskError;
-use crate::figures::{Plate, calibrate as figure};
+use crate::figures::{FigureSize, calibrate as figure};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
 use crate::report::Report;
 use crate::request::Request;
@@ -32,14 +32,14 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<Calibra
     if let Some(moved) = answer.moved() {
         context.listener.warn(&format!("warning: {}: {moved}", answer.data));
     }
-    Ok(CalibrateOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
+    Ok(CalibrateOutput { answer, asked, inputs: Inputs::of(asked, context), figure_size: FigureSize::of(asked)? })
 }
 
 pub(crate) struct CalibrateOutput<'a> {
     answer: CalibrateAnswer,
     asked: &'a Request,
     inputs: Inputs,
-    plate: Plate,
+    figure_size: FigureSize,
 }
 
 /// In which forms it is shown.
@@ -69,14 +69,14 @@ impl Answer for CalibrateOutput<'_> {
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(figure::svg(&self.answer, &self.plate)))
+        Some(Ok(figure::svg(&self.answer, &self.figure_size)))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(reports::calibrate::of(&self.answer, self.plate, (self.asked, &self.inputs)))
+        Some(reports::calibrate::of(&self.answer, self.figure_size, (self.asked, &self.inputs)))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -10,7 +10,7 @@ use super::context::{Context, process_of, tip_of};
 use super::selection;
 use crate::answer::{ChatterAnswer, Rows, TipFile};
 use crate::error::AskError;
-use crate::figures::{Plate, lobes};
+use crate::figures::{FigureSize, lobes};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::request::Request;
 use serde_json::Value;
@@ -29,7 +29,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ChatterOutput,
         .map_err(|error| refusal(error, &file, measured.as_ref()))?;
     remarks(&robot, [&joints_deg, &radians], context);
     let answer = ChatterAnswer { robot, joints_deg, tool, file, process, measured, chatter: found };
-    Ok(ChatterOutput(answer, Plate::of(asked)?))
+    Ok(ChatterOutput(answer, FigureSize::of(asked)?))
 }
 
 /// Whose fault it is: that of the process, or of what was measured.
@@ -41,7 +41,7 @@ fn refusal(error: ChatterError, process: &str, measured: Option<&TipFile>) -> As
     AskError::Chatter { file: file.to_owned(), error }
 }
 
-pub(crate) struct ChatterOutput(ChatterAnswer, Plate);
+pub(crate) struct ChatterOutput(ChatterAnswer, FigureSize);
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms = Forms { command: "chatter", makes: &[Makes::Picture(Picture::Figure)] };
@@ -67,7 +67,7 @@ impl Answer for ChatterOutput {
         Some(Ok(lobes::svg(&self.0, &self.1)))
     }
 
-    fn plate(&self) -> Plate {
+    fn figure_size(&self) -> FigureSize {
         self.1
     }
 }

@@ -10,17 +10,17 @@ use stiffarm::robot::Robot;
 use super::context::Context;
 use super::place::PlaceOutput;
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::compare::CompareFigure;
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<CompareOutput, AskError> {
     let [a, b] = asked.setups()?.map(|name| setup(&name, asked, context));
-    let (sides, plate) = ([a?, b?], Plate::of(asked)?);
+    let (sides, figure_size) = ([a?, b?], FigureSize::of(asked)?);
     let [a, b] = sides.map(|(asked, robot)| PlaceOutput::of(&asked, robot, context));
     let sides = [a?, b?];
     let answer = CompareAnswer { sides: sides.each_ref().map(|side| side.answer.clone()) };
-    Ok(CompareOutput { answer, sides, plate })
+    Ok(CompareOutput { answer, sides, figure_size })
 }
 
 /// What is asked of a setup, and its robot.
@@ -34,7 +34,7 @@ fn setup(name: &str, asked: &Request, context: Context) -> Result<(Request, Robo
 pub(crate) struct CompareOutput {
     answer: CompareAnswer,
     sides: [PlaceOutput; 2],
-    plate: Plate,
+    figure_size: FigureSize,
 }
 
 impl CompareOutput {
@@ -66,7 +66,7 @@ impl CompareOutput {
             } else {
                 "deflection under the force of each [mm]".into()
             },
-            plate: self.plate,
+            figure_size: self.figure_size,
         };
         Ok(drawn.svg()?)
     }
@@ -119,7 +119,7 @@ impl Answer for CompareOutput {
         Some(self.figure())
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

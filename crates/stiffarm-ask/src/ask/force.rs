@@ -10,7 +10,7 @@ use stiffarm::catalogue::files;
 use super::context::Context;
 use super::context::process_of;
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::hodograph::Hodograph;
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 
@@ -19,10 +19,10 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ForceOutput, A
     let file = files::shown(Path::new(&name));
     let process = process_of(&name, &file, context)?;
     let force = process.process.force().map_err(|error| AskError::Process { file: file.clone(), error })?;
-    Ok(ForceOutput(CuttingAnswer { file, process, force }, Plate::of(asked)?))
+    Ok(ForceOutput(CuttingAnswer { file, process, force }, FigureSize::of(asked)?))
 }
 
-pub(crate) struct ForceOutput(CuttingAnswer, Plate);
+pub(crate) struct ForceOutput(CuttingAnswer, FigureSize);
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms = Forms { command: "force", makes: &[Makes::Picture(Picture::Figure)] };
@@ -53,12 +53,12 @@ impl Answer for ForceOutput {
             subtitle: self.0.heading(),
             revolution: force.revolution.iter().map(|[feed, across, _]| [*feed, *across]).collect(),
             mean: [mean[0], mean[1]],
-            plate: self.1,
+            figure_size: self.1,
         }
         .svg()))
     }
 
-    fn plate(&self) -> Plate {
+    fn figure_size(&self) -> FigureSize {
         self.1
     }
 }

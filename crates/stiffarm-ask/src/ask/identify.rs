@@ -9,7 +9,7 @@ use stiffarm::identify::identify;
 use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
-use crate::figures::{Plate, identify as figure};
+use crate::figures::{FigureSize, identify as figure};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
 use crate::report::Report;
 
@@ -21,14 +21,14 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<Identif
     let found = found.map_err(|error| AskError::Identify { data: data.clone(), error })?;
     found.remarks.iter().for_each(|remark| context.listener.remark(&format!("warning: {remark}")));
     let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
-    Ok(IdentifyOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
+    Ok(IdentifyOutput { answer, asked, inputs: Inputs::of(asked, context), figure_size: FigureSize::of(asked)? })
 }
 
 pub(crate) struct IdentifyOutput<'a> {
     answer: IdentifyAnswer,
     asked: &'a Request,
     inputs: Inputs,
-    plate: Plate,
+    figure_size: FigureSize,
 }
 
 /// In which forms it is shown.
@@ -59,14 +59,14 @@ impl Answer for IdentifyOutput<'_> {
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(figure::svg(&self.answer, &self.plate)))
+        Some(Ok(figure::svg(&self.answer, &self.figure_size)))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(reports::identify::of(&self.answer, self.plate, (self.asked, &self.inputs)))
+        Some(reports::identify::of(&self.answer, self.figure_size, (self.asked, &self.inputs)))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -17,7 +17,7 @@ use super::context::Context;
 use super::drawing::{arm, force, scene};
 use crate::error::AskError;
 use crate::exports;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::bands::Colours;
 use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
@@ -28,7 +28,7 @@ use crate::forms::{Answer, Forms, Makes, Picture, Piece, Sketch, pretty};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, AskError> {
     let (kind, options) = (asked.model(), asked.map_options());
-    let (plate, tolerance_mm) = (Plate::of(asked)?, asked.tolerance_mm());
+    let (figure_size, tolerance_mm) = (FigureSize::of(asked)?, asked.tolerance_mm());
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
     let failure = |error| AskError::Map { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
@@ -67,7 +67,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, Ask
     Ok(MapOutput {
         layer: asked.layer(),
         answer: MapAnswer { model, options, map, zone, frequency },
-        plate,
+        figure_size,
         tolerance_mm,
     })
 }
@@ -79,14 +79,14 @@ pub(crate) struct MapOutput {
     answer: MapAnswer,
     /// What the figure shows.
     layer: Layer,
-    plate: Plate,
+    figure_size: FigureSize,
     tolerance_mm: Option<f64>,
 }
 
 impl MapOutput {
     fn drawn(&self) -> Drawn<'_> {
-        let Self { layer, plate, tolerance_mm, .. } = *self;
-        Drawn { layer, plate, tolerance_mm, ..Drawn::of_zone(&self.answer) }
+        let Self { layer, figure_size, tolerance_mm, .. } = *self;
+        Drawn { layer, figure_size, tolerance_mm, ..Drawn::of_zone(&self.answer) }
     }
 }
 
@@ -100,7 +100,7 @@ pub(crate) struct Drawn<'a> {
     pub(crate) mark: Option<ZoneMark>,
     pub(crate) face: Option<FaceFigure>,
     /// What was asked of the figure.
-    pub(crate) plate: Plate,
+    pub(crate) figure_size: FigureSize,
     /// What the work allows.
     pub(crate) tolerance_mm: Option<f64>,
 }
@@ -119,7 +119,7 @@ impl<'a> Drawn<'a> {
             posture,
             mark,
             face: None,
-            plate: Plate::default(),
+            figure_size: FigureSize::default(),
             tolerance_mm,
         }
     }
@@ -182,7 +182,7 @@ impl<'a> Drawn<'a> {
             unit,
             colours,
             tolerance: self.tolerance_mm.filter(|_| colours == Colours::Deflections),
-            plate: self.plate,
+            figure_size: self.figure_size,
             edge,
             ways,
             colour_label,
@@ -224,7 +224,7 @@ impl<'a> Drawn<'a> {
             section: Some(Sheet::of_map(grid, unit, y)),
             colour_label,
             colours,
-            scale: self.plate.ends(),
+            scale: self.figure_size.ends(),
             arrows: arrows.into_iter().collect(),
             floor: model.knows_base(),
             cell,
@@ -317,7 +317,7 @@ impl Answer for MapOutput {
         Some(exports::image(&self.answer))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -9,7 +9,7 @@ use stiffarm::robot::Robot;
 
 use super::context::Context;
 use crate::error::AskError;
-use crate::figures::{Plate, postures};
+use crate::figures::{FigureSize, postures};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
 
 /// The robot, what is asked of a plan, and the work in words.
@@ -44,7 +44,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput,
             Some((name, runs.len(), value, efficiency))
         }
     };
-    Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }, Plate::of(asked)?))
+    Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }, FigureSize::of(asked)?))
 }
 
 /// In which postures an arm is measured to be calibrated.
@@ -52,7 +52,7 @@ pub(crate) fn geometry(asked: &Request, context: Context) -> Result<GeometryOutp
     let (robot, options, work) = prepared(asked, context)?;
     let found = context.watched("planning", |watch| geometry_plan(&robot, &options, watch));
     let plan = found.map_err(|error| failed(&robot, error))?;
-    Ok(GeometryOutput(GeometryAnswer { robot, options, work, plan }, Plate::of(asked)?))
+    Ok(GeometryOutput(GeometryAnswer { robot, options, work, plan }, FigureSize::of(asked)?))
 }
 
 /// Postures and loads of a table of one's own; of several markers of one run the first.
@@ -65,7 +65,7 @@ fn own_runs(
     Ok((shown, stiffarm::measure::own(&planned)))
 }
 
-pub(crate) struct MeasureOutput(MeasureAnswer, Plate);
+pub(crate) struct MeasureOutput(MeasureAnswer, FigureSize);
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms = Forms { command: "measure", makes: &[Makes::Picture(Picture::Figure)] };
@@ -93,12 +93,12 @@ impl Answer for MeasureOutput {
         Some(Ok(postures::svg(&title, &self.0.postures(), &self.1)))
     }
 
-    fn plate(&self) -> Plate {
+    fn figure_size(&self) -> FigureSize {
         self.1
     }
 }
 
-pub(crate) struct GeometryOutput(GeometryAnswer, Plate);
+pub(crate) struct GeometryOutput(GeometryAnswer, FigureSize);
 
 impl Answer for GeometryOutput {
     fn forms(&self) -> Forms {
@@ -123,7 +123,7 @@ impl Answer for GeometryOutput {
         Some(Ok(postures::svg(&title, &self.0.postures(), &self.1)))
     }
 
-    fn plate(&self) -> Plate {
+    fn figure_size(&self) -> FigureSize {
         self.1
     }
 }

@@ -21,7 +21,7 @@ use crate::error::AskError;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
-use crate::figures::{Plate, lobes};
+use crate::figures::{FigureSize, lobes};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
@@ -39,14 +39,14 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<Mil
     let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, moves), beside, watch);
     let mut answer = context.watched("milling", milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
-    Ok(MillOutput { answer, asked, context, plate: Plate::of(asked)? })
+    Ok(MillOutput { answer, asked, context, figure_size: FigureSize::of(asked)? })
 }
 
 pub(crate) struct MillOutput<'a> {
     pub(crate) answer: MillAnswer,
     asked: &'a Request,
     context: Context<'a>,
-    pub(crate) plate: Plate,
+    pub(crate) figure_size: FigureSize,
 }
 
 impl MillOutput<'_> {
@@ -135,7 +135,7 @@ impl MillOutput<'_> {
             zone: Some(zone),
             touching: (answer.touching_is_called(), answer.touching().into_iter().map(stretch).collect()),
             colour_label: "error [mm]".into(),
-            scale: self.plate.ends(),
+            scale: self.figure_size.ends(),
             floor: true,
             cell: answer.ground.cell,
             part: clear_of.and_then(|clear_of| Some((clear_of.part.clone()?, stand.base_from_part))),
@@ -195,7 +195,7 @@ impl Answer for MillOutput<'_> {
 
     fn svg(&self) -> Option<Result<String, AskError>> {
         let answer = &self.answer;
-        Some(rolls(answer).map(|rolls| MilledFigure { answer, rolls: &rolls, plate: self.plate }.svg()))
+        Some(rolls(answer).map(|rolls| MilledFigure { answer, rolls: &rolls, figure_size: self.figure_size }.svg()))
     }
 
     fn view(&self) -> Option<Result<View, AskError>> {
@@ -206,7 +206,7 @@ impl Answer for MillOutput<'_> {
         let nothing = || {
             AskError::Figure("nothing to draw: the path has no place, or nothing is known of the robot's base".into())
         };
-        let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
+        let drawn = |siting| ShopFigure { siting: &siting, figure_size: self.figure_size }.svg();
         Some(self.answer.siting().map(drawn).ok_or_else(nothing))
     }
 
@@ -219,14 +219,14 @@ impl Answer for MillOutput<'_> {
             AskError::Figure(why.into())
         };
         let worst = self.answer.chatter.as_ref().and_then(|told| told.worst.as_ref());
-        Some(worst.map(|(_, found)| lobes::svg(found, &self.plate)).ok_or_else(nothing))
+        Some(worst.map(|(_, found)| lobes::svg(found, &self.figure_size)).ok_or_else(nothing))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
         Some(reports::mill::of(self, self.asked))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -9,7 +9,7 @@ use super::compliance::remarks;
 use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
-use crate::figures::{Plate, swinging};
+use crate::figures::{FigureSize, swinging};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
@@ -20,14 +20,14 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOu
     let swing = modes(&robot, &radians, &tool, damping).map_err(AskError::Modes)?;
     remarks(&robot, [&joints_deg, &radians], context);
     let answer = ModesAnswer { robot, joints_deg, tool, damping, count: asked.mode_count(), swing };
-    Ok(ModesOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
+    Ok(ModesOutput { answer, asked, inputs: Inputs::of(asked, context), figure_size: FigureSize::of(asked)? })
 }
 
 pub(crate) struct ModesOutput<'a> {
     answer: ModesAnswer,
     asked: &'a Request,
     inputs: Inputs,
-    plate: Plate,
+    figure_size: FigureSize,
 }
 
 /// In which forms it is shown.
@@ -51,14 +51,14 @@ impl Answer for ModesOutput<'_> {
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(swinging::svg(&self.answer, &self.plate)))
+        Some(Ok(swinging::svg(&self.answer, &self.figure_size)))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(reports::modes::of(&self.answer, self.plate, (self.asked, &self.inputs)))
+        Some(reports::modes::of(&self.answer, self.figure_size, (self.asked, &self.inputs)))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

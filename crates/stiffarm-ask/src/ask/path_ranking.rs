@@ -13,7 +13,7 @@ use super::path::{all_moves, read_beside};
 use super::reports::{self, Inputs};
 use super::selection;
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
@@ -25,7 +25,7 @@ pub(crate) struct PathRankOutput<'a> {
     pub(crate) answer: PathRankAnswer,
     pub(crate) asked: &'a Request,
     pub(crate) inputs: Inputs,
-    pub(crate) plate: Plate,
+    pub(crate) figure_size: FigureSize,
 }
 
 /// The order of several robots on a path, each at its best place.
@@ -37,12 +37,12 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<PathRan
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), &beside, watch);
     let mut answer = context.watched("milling with every robot", ranked)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
-    Ok(PathRankOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
+    Ok(PathRankOutput { answer, asked, inputs: Inputs::of(asked, context), figure_size: FigureSize::of(asked)? })
 }
 
 impl PathRankOutput<'_> {
     /// A bar per robot, with what is proved.
-    pub(crate) fn figure(&self, plate: Plate) -> String {
+    pub(crate) fn figure(&self, figure_size: FigureSize) -> String {
         let PathRankAnswer { path, rows, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
@@ -71,7 +71,7 @@ impl PathRankOutput<'_> {
             tasks: vec![path.clone()],
             rows: drawn.collect(),
             tolerance_mm: *tolerance_mm,
-            plate,
+            figure_size,
         };
         figure.svg()
     }
@@ -109,14 +109,14 @@ impl Answer for PathRankOutput<'_> {
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(self.figure(self.plate)))
+        Some(Ok(self.figure(self.figure_size)))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
         Some(reports::path_ranking::of(self, self.asked))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -17,7 +17,7 @@ use super::map::Drawn;
 use super::reports::{self, Inputs};
 use super::sketch::{from_the_side, sketched};
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
@@ -41,7 +41,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<PlaceOutput, A
 pub(crate) struct PlaceOutput {
     model: Model,
     pub(crate) answer: PlaceAnswer,
-    pub(crate) plate: Plate,
+    pub(crate) figure_size: FigureSize,
     asked: Request,
     inputs: Inputs,
     /// Points along the longer side of the map.
@@ -53,7 +53,7 @@ impl PlaceOutput {
     pub(crate) fn of(asked: &Request, robot: Robot, context: Context) -> Result<Self, AskError> {
         let (task, kind, robot) = (asked.task()?, asked.model(), asked.equipped(robot)?);
         let options = under_process(asked, context)?.place_options(Some(task.zone))?;
-        let plate = Plate::of(asked)?;
+        let figure_size = FigureSize::of(asked)?;
         let failure = |error| AskError::Place { robot: robot.name.clone(), error };
         let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
         let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
@@ -66,7 +66,7 @@ impl PlaceOutput {
         let advice = tolerance_mm.filter(|_| context.advises).map(sought).transpose().map_err(failure)?;
         let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
         let points = if kind == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
-        Ok(Self { model, answer, plate, asked: asked.clone(), inputs: Inputs::of(asked, context), points })
+        Ok(Self { model, answer, figure_size, asked: asked.clone(), inputs: Inputs::of(asked, context), points })
     }
 
     /// What it rests on that was read.
@@ -78,11 +78,11 @@ impl PlaceOutput {
     pub(crate) fn told(
         answer: PlaceAnswer,
         (asked, inputs): (&Request, Inputs),
-        (plate, points): (Plate, usize),
+        (figure_size, points): (FigureSize, usize),
     ) -> Result<Self, AskError> {
         let failure = |error: ModelError| AskError::Place { robot: answer.robot.name.clone(), error: error.into() };
         let model = answer.model.of(&answer.robot).map_err(failure)?;
-        Ok(Self { model, answer, plate, asked: asked.clone(), inputs, points })
+        Ok(Self { model, answer, figure_size, asked: asked.clone(), inputs, points })
     }
 
     fn elevation(&self) -> f64 {
@@ -153,14 +153,14 @@ impl PlaceOutput {
     }
 
     fn drawn<'a>(&self, map: &'a MapAnswer) -> Drawn<'a> {
-        Drawn { plate: self.plate, ..Drawn::of_zone(map) }
+        Drawn { figure_size: self.figure_size, ..Drawn::of_zone(map) }
     }
 
     /// The zone on the section that points straight ahead, and what is seen along the tool axis.
-    pub(crate) fn figure(&self, plate: Plate) -> Result<String, AskError> {
+    pub(crate) fn figure(&self, figure_size: FigureSize) -> Result<String, AskError> {
         let (best, _) = self.feasible()?;
         let map = self.mapped()?;
-        let Model::Spatial(_) = self.model else { return Drawn { plate, ..self.drawn(&map) }.svg() };
+        let Model::Spatial(_) = self.model else { return Drawn { figure_size, ..self.drawn(&map) }.svg() };
         let face = FaceFigure {
             zone: self.answer.task.zone,
             angle: best.angle,
@@ -177,12 +177,12 @@ impl PlaceOutput {
             },
             colour_label: Drawn::of_zone(&map).colour_label(),
         };
-        Drawn { face: Some(face), plate, ..self.placed(&map)? }.svg()
+        Drawn { face: Some(face), figure_size, ..self.placed(&map)? }.svg()
     }
 
     /// The map, where there is no zone to draw.
-    pub(crate) fn map_alone(&self, plate: Plate) -> Result<String, AskError> {
-        Drawn { plate, ..self.placed(&self.mapped()?)? }.svg()
+    pub(crate) fn map_alone(&self, figure_size: FigureSize) -> Result<String, AskError> {
+        Drawn { figure_size, ..self.placed(&self.mapped()?)? }.svg()
     }
 
     /// The map with the zone at its place, in space as it is seen from the side; without it where it has none.
@@ -268,7 +268,7 @@ impl PlaceOutput {
             zone: Some(zone),
             section: Some(section),
             colour_label: Drawn::of_zone(&map).colour_label(),
-            scale: self.plate.ends(),
+            scale: self.figure_size.ends(),
             floor: true,
             cell: self.answer.options.cell,
             ..View::default()
@@ -309,7 +309,7 @@ impl Answer for PlaceOutput {
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(self.figure(self.plate))
+        Some(self.figure(self.figure_size))
     }
 
     fn view(&self) -> Option<Result<View, AskError>> {
@@ -320,7 +320,7 @@ impl Answer for PlaceOutput {
         let nothing = || {
             AskError::Figure("nothing to draw: the work has no place, or nothing is known of the robot's base".into())
         };
-        let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
+        let drawn = |siting| ShopFigure { siting: &siting, figure_size: self.figure_size }.svg();
         Some(self.answer.siting().map(drawn).ok_or_else(nothing))
     }
 
@@ -328,7 +328,7 @@ impl Answer for PlaceOutput {
         Some(reports::place::of(self, &self.asked))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -16,7 +16,7 @@ use super::context::Context;
 use super::context::under_process;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
@@ -39,7 +39,7 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<Ran
         return Err(AskError::Usage("no task to rank for; give --task".into()));
     }
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
-    let (options, plate) = (under_process(asked, context)?.place_options(only)?, Plate::of(asked)?);
+    let (options, figure_size) = (under_process(asked, context)?.place_options(only)?, FigureSize::of(asked)?);
     let ranking = context.watched("placing zones", |watch| rank(&robots, &tasks, &kind, &options, watch))?;
     let tolerance_mm = asked.tolerance_mm();
     let advice = match tolerance_mm {
@@ -49,7 +49,7 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<Ran
         }
     };
     let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
-    Ok(RankOutput { answer, asked, context, plate, svg: OnceCell::new() })
+    Ok(RankOutput { answer, asked, context, figure_size, svg: OnceCell::new() })
 }
 
 /// Where only the paper's robots were asked, there are more.
@@ -67,7 +67,7 @@ pub(crate) struct RankOutput<'a> {
     pub(crate) answer: RankAnswer,
     asked: &'a Request,
     context: Context<'a>,
-    pub(crate) plate: Plate,
+    pub(crate) figure_size: FigureSize,
     svg: OnceCell<String>,
 }
 
@@ -77,15 +77,15 @@ impl RankOutput<'_> {
         Inputs::of(self.asked, self.context)
     }
 
-    pub(crate) fn figure(&self, plate: Plate) -> Result<String, AskError> {
+    pub(crate) fn figure(&self, figure_size: FigureSize) -> Result<String, AskError> {
         match self.answer.ranking.model {
-            ModelKind::Planar => self.curves(plate),
-            ModelKind::Spatial(_) => Ok(self.bars(plate)),
+            ModelKind::Planar => self.curves(figure_size),
+            ModelKind::Spatial(_) => Ok(self.bars(figure_size)),
         }
     }
 
     /// Deflection against task size, a curve per robot.
-    fn curves(&self, plate: Plate) -> Result<String, AskError> {
+    fn curves(&self, figure_size: FigureSize) -> Result<String, AskError> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm, .. } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
         let (shapes, looks) = (shapes(tasks), self.looks());
@@ -125,11 +125,11 @@ impl RankOutput<'_> {
         let newtons = words::loaded(*load);
         let springs = stiffnesses(rows.iter().map(|row| &row.robot));
         let title = format!("Worst deflection at the best place under {newtons}, planar model; {springs}{chosen}");
-        Ok(ranking::svg(&title, &panels, &plate)?)
+        Ok(ranking::svg(&title, &panels, &figure_size)?)
     }
 
     /// A bar per robot and task, with what is proved.
-    fn bars(&self, plate: Plate) -> String {
+    fn bars(&self, figure_size: FigureSize) -> String {
         let RankAnswer { ranking: Ranking { tasks, rows, load, .. }, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
@@ -157,7 +157,7 @@ impl RankOutput<'_> {
             tasks: tasks.iter().map(|task| task.label.clone()).collect(),
             rows: drawn.collect(),
             tolerance_mm: *tolerance_mm,
-            plate,
+            figure_size,
         }
         .svg()
     }
@@ -239,14 +239,14 @@ impl Answer for RankOutput<'_> {
         if let Some(svg) = self.svg.get() {
             return Some(Ok(svg.clone()));
         }
-        Some(self.figure(self.plate).map(|svg| self.svg.get_or_init(|| svg).clone()))
+        Some(self.figure(self.figure_size).map(|svg| self.svg.get_or_init(|| svg).clone()))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
         Some(reports::rank::of(self, self.asked))
     }
 
-    fn plate(&self) -> Plate {
-        self.plate
+    fn figure_size(&self) -> FigureSize {
+        self.figure_size
     }
 }

@@ -7,7 +7,7 @@ use stiffarm::study::{StudyOptions, study, study_watched};
 
 use super::context::Context;
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyMark, StudyPanel};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 
@@ -17,12 +17,12 @@ const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<StudyOutput, AskError> {
     let robot = asked.is_given(opt::ROBOT).then(|| super::selection::robot(&asked.robot()?, context)).transpose()?;
-    let (options, plate) = (asked.study(robot.as_ref())?, Plate::of(asked)?);
+    let (options, figure_size) = (asked.study(robot.as_ref())?, FigureSize::of(asked)?);
     let found = context.watched("studying", |watch| study_watched(&options, watch))?;
-    Ok(StudyOutput(StudyAnswer(found), plate))
+    Ok(StudyOutput(StudyAnswer(found), figure_size))
 }
 
-pub(crate) struct StudyOutput(pub(crate) StudyAnswer, pub(crate) Plate);
+pub(crate) struct StudyOutput(pub(crate) StudyAnswer, pub(crate) FigureSize);
 
 impl StudyOutput {
     pub(crate) fn figure(&self) -> Result<String, AskError> {
@@ -139,7 +139,7 @@ impl Answer for StudyOutput {
         Some(self.figure())
     }
 
-    fn plate(&self) -> Plate {
+    fn figure_size(&self) -> FigureSize {
         self.1
     }
 }

@@ -11,7 +11,7 @@ use super::axes::{Axis, heading, label};
 use super::bands::TOLERANCE_LINE;
 use super::canvas::{Canvas, Font, path};
 use super::legend::{Entry, Legend};
-use super::{Plate, marks};
+use super::{FigureSize, marks};
 
 /// Height of a row and of its bar, px.
 const ROW: f64 = 24.0;
@@ -50,7 +50,7 @@ pub(crate) struct BarsFigure {
     /// What the work allows, mm.
     pub tolerance_mm: Option<f64>,
     /// What was asked of the figure.
-    pub plate: Plate,
+    pub figure_size: FigureSize,
 }
 
 impl BarRow {
@@ -63,7 +63,7 @@ impl BarRow {
 impl BarsFigure {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 24.0;
         let font = Font::new(12.5);
         let widest = self.rows.iter().map(|row| font.width(&row.robot)).fold(60.0, f64::max).min(0.28 * canvas.width);
@@ -116,7 +116,7 @@ impl BarsFigure {
         let room = Font::new(12.0).width("00.000") + 8.0;
         let end = (right - room).max(left + 20.0);
         let found = [0.0, most.max(tolerance.unwrap_or(most)).max(f64::MIN_POSITIVE)];
-        let [from, to] = self.plate.ends().unwrap_or(found);
+        let [from, to] = self.figure_size.ends().unwrap_or(found);
         let axis = Axis::new(from, to, [left, end]);
         let tolerance = tolerance.filter(|tolerance| axis.contains(*tolerance));
         let (ticks, step) = axis.ticks(48.0);
@@ -275,7 +275,7 @@ mod tests {
             tasks: vec!["A:0.5".into(), "B:0.5".into()],
             rows,
             tolerance_mm,
-            plate: Plate::default(),
+            figure_size: FigureSize::default(),
         };
         let rows = vec![
             row("one", vec![Some((1.0, 0.5)), None]),

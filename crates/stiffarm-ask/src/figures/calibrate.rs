@@ -4,7 +4,7 @@ use crate::answer::{CalibrateAnswer, words};
 use stiffarm::calibrate::Off;
 use stiffarm::palette::{DEFLECTION, FAINT};
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::Canvas;
 use super::legend::{Entry, Legend};
@@ -16,9 +16,9 @@ const HEIGHT: f64 = 320.0;
 const LEFT: f64 = 66.0;
 
 /// The figure as SVG text.
-pub fn svg(answer: &CalibrateAnswer, plate: &Plate) -> String {
+pub fn svg(answer: &CalibrateAnswer, figure_size: &FigureSize) -> String {
     let found = &answer.found;
-    let mut canvas = Canvas::of(plate);
+    let mut canvas = Canvas::of(figure_size);
     let title = format!("{}: errors as drawn and calibrated", answer.robot.full_name());
     let mm = |m: f64| words::fixed(m * 1e3, 3);
     let [drawn, taken] = [&found.levels[0], found.taken()];

@@ -6,7 +6,7 @@ use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider};
 use stiffarm::palette::{INK, PAPER};
 
-use super::Plate;
+use super::FigureSize;
 use super::fonts::{self, FONT};
 use crate::markup::escaped;
 
@@ -142,8 +142,8 @@ impl Canvas {
     }
 
     /// A sheet as it was asked for; its height is to come.
-    pub(crate) fn of(plate: &Plate) -> Self {
-        Self { mm: plate.width_mm, ..Self::new(plate.width(), 0.0) }
+    pub(crate) fn of(figure_size: &FigureSize) -> Self {
+        Self { mm: figure_size.width_mm, ..Self::new(figure_size.width(), 0.0) }
     }
 
     /// Says how px of the viewBox map to metres, for what draws over the figure: `x = x0_m + (px - x0_px) / px_per_m`, and z likewise,

@@ -6,7 +6,7 @@ use super::canvas::{Canvas, Font};
 use super::legend::{Entry, Legend};
 use super::map::MapFigure;
 use super::scene::frame_around;
-use super::{FigureError, Plate};
+use super::{FigureError, FigureSize};
 
 /// What the colour bar and its texts take, px.
 const BAR: f64 = 112.0;
@@ -28,7 +28,7 @@ pub(crate) struct CompareFigure<'a> {
     /// What the colours mean, with the unit.
     pub colour_label: String,
     /// What was asked of the figure.
-    pub plate: Plate,
+    pub figure_size: FigureSize,
 }
 
 impl CompareFigure<'_> {
@@ -37,14 +37,14 @@ impl CompareFigure<'_> {
     /// # Errors
     /// Where neither map reaches anything.
     pub(crate) fn svg(&self) -> Result<String, FigureError> {
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let width = (canvas.width - BAR) / 2.0;
         let legend = Legend::new(self.entries(), canvas.width - 80.0, 4);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 30.0;
         let found: Vec<[f64; 2]> = self.panels.iter().filter_map(MapFigure::extremes).collect();
         let extremes = found.into_iter().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
         let extremes = extremes.ok_or(FigureError::Nothing("neither of the two reaches anything"))?;
-        let bands = Bands::within(self.plate.ends(), extremes, self.panels[0].colours);
+        let bands = Bands::within(self.figure_size.ends(), extremes, self.panels[0].colours);
         let (bold, small) = (Font::new(14.0).bold(), Font::new(12.0));
         let room = width - ROOM[0] - ROOM[1];
         let words = self.panels.each_ref().map(|panel| small.wrapped(&panel.subtitle, room, LINES));

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use stiffarm::palette::{DEFLECTION, FAINT, FORCE, GREY, INK};
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, heading, label};
 use super::canvas::{Canvas, Font, Px};
 use super::legend::{Entry, Legend};
@@ -23,13 +23,13 @@ pub(crate) struct Hodograph {
     /// Over a revolution.
     pub mean: [f64; 2],
     /// What was asked of the figure.
-    pub plate: Plate,
+    pub figure_size: FigureSize,
 }
 
 impl Hodograph {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 20.0;
         let radius = 0.36 * canvas.width;
         let centre = [canvas.width / 2.0, top + radius + 20.0];
@@ -99,7 +99,7 @@ mod tests {
             subtitle: "b".into(),
             revolution,
             mean: [10.0, 20.0],
-            plate: Plate::default(),
+            figure_size: FigureSize::default(),
         };
         let svg = figure.svg();
         assert!(

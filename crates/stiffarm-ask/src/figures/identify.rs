@@ -4,7 +4,7 @@ use crate::answer::{IdentifyAnswer, words};
 use stiffarm::identify::{Estimate, Identification, Residual};
 use stiffarm::palette::{DEFLECTION, FAINT, GREY, INK, OTHERS, PAPER, on_margin_scale};
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, Font};
 use super::legend::{Entry, Legend};
@@ -18,9 +18,9 @@ const LEFT: f64 = 66.0;
 const BELOW: f64 = 86.0;
 
 /// The figure as SVG text.
-pub(crate) fn svg(answer: &IdentifyAnswer, plate: &Plate) -> String {
+pub(crate) fn svg(answer: &IdentifyAnswer, figure_size: &FigureSize) -> String {
     let found = &answer.found;
-    let mut canvas = Canvas::of(plate);
+    let mut canvas = Canvas::of(figure_size);
     let title = format!("{}: what the measurements tell of its drives", answer.before.full_name());
     let percent = |share: f64| words::fixed(100.0 * share, 1);
     let left_out = found

@@ -4,7 +4,7 @@ use crate::answer::ChatterAnswer;
 use stiffarm::chatter::{Edge, LONGEST};
 use stiffarm::palette::{DEFLECTION, FORCE, INK};
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, path, rect_path};
 use super::legend::{Entry, Legend};
@@ -20,9 +20,9 @@ struct Point {
 }
 
 /// The figure as SVG text.
-pub(crate) fn svg(answer: &ChatterAnswer, plate: &Plate) -> String {
+pub(crate) fn svg(answer: &ChatterAnswer, figure_size: &FigureSize) -> String {
     let found = &answer.chatter;
-    let mut canvas = Canvas::of(plate);
+    let mut canvas = Canvas::of(figure_size);
     let title = format!("{}: from which depth a cut swings with the arm", answer.robot.full_name());
     let top = heading(&mut canvas, &title, &answer.heading()) + 20.0;
     let points = points(answer);

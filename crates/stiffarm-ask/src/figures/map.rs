@@ -14,7 +14,7 @@ use super::labels::Spots;
 use super::legend::{Entry, Legend};
 use super::scene::Scene;
 use super::sheets::{Part, Ways, parts};
-use super::{FigureError, Plate};
+use super::{FigureError, FigureSize};
 
 /// No more grid points per side are drawn: finer than the pixels of a large print.
 const MOST_POINTS: usize = 800;
@@ -37,7 +37,7 @@ pub(crate) struct MapFigure<'a> {
     /// What the work allows, in that unit: a line.
     pub tolerance: Option<f64>,
     /// What was asked of the figure.
-    pub plate: Plate,
+    pub figure_size: FigureSize,
     /// The arm whose plane was mapped, with its joint-2 axis, where it says exactly where the mapped area ends.
     pub edge: Option<(&'a PlanarArm, [f64; 2])>,
     /// In space how every point is held.
@@ -57,7 +57,7 @@ impl MapFigure<'_> {
     #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
     pub(crate) fn svg(&self) -> Result<String, FigureError> {
         let scene = &self.scene;
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let legend = Legend::new(self.entries(), canvas.width - 80.0, 4);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 26.0;
         let frame = scene.frame(self.reached().to_vec(), canvas.width, top);
@@ -76,7 +76,7 @@ impl MapFigure<'_> {
         canvas.height = bottom + 66.0 + legend.height();
         if let Some(face) = &self.face {
             let top = canvas.height + 10.0;
-            canvas.height = face.draw(&mut canvas, top, self.plate.ends());
+            canvas.height = face.draw(&mut canvas, top, self.figure_size.ends());
         }
         Ok(canvas.finish())
     }
@@ -164,7 +164,7 @@ impl MapFigure<'_> {
             let [x, z] = metres(node);
             frame.at(x, z)
         };
-        let bands = bands.unwrap_or_else(|| Bands::within(self.plate.ends(), extremes, self.colours));
+        let bands = bands.unwrap_or_else(|| Bands::within(self.figure_size.ends(), extremes, self.colours));
         let parts = match (&self.ways, self.edge) {
             (Some(ways), _) => {
                 let held = |i, j| (ways.at)(index(i, x.count), index(j, z.count));
@@ -291,7 +291,7 @@ mod tests {
             unit: Unit::Millimetre,
             colours: Colours::Deflections,
             tolerance: Some(1.5),
-            plate: Plate::default(),
+            figure_size: FigureSize::default(),
             edge: Some((arm, [0.0; 2])),
             ways: None,
             scene: scene(arm),

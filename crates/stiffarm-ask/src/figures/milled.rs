@@ -4,7 +4,7 @@ use crate::answer::{Compensation, MillAnswer, fixed};
 use stiffarm::mill::{Followed, RollCell, RollMap, Station};
 use stiffarm::palette::{AIR, ALARM, COMPENSATED, DEFLECTION, FAINT, GREY, INK, LIMIT, OTHERS, PAPER, TOLERANCE};
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
 use super::bands::{Bands, Colours};
 use super::canvas::{Canvas, Px, path};
@@ -34,13 +34,13 @@ fn touching() -> String {
 pub(crate) struct MilledFigure<'a> {
     pub answer: &'a MillAnswer,
     pub rolls: &'a RollMap,
-    pub plate: Plate,
+    pub figure_size: FigureSize,
 }
 
 impl MilledFigure<'_> {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let Some(found) = self.answer.followed() else { return canvas.finish() };
         let worst = found.worst.0 * 1e3;
         let title = format!("{} along {}", self.answer.robot.full_name(), self.answer.path);
@@ -85,7 +85,7 @@ impl MilledFigure<'_> {
             .filter_map(|cell| if let RollCell::Error(error) = cell { Some(error * 1e3) } else { None });
         let (low, high) = errors.fold((worst, worst), |(low, high), error| (low.min(error), high.max(error)));
         // Rolls that nobody would take must not press the others into one colour.
-        Bands::within(self.plate.ends(), [low, high.min(3.0 * worst).max(low)], Colours::Deflections)
+        Bands::within(self.figure_size.ends(), [low, high.min(3.0 * worst).max(low)], Colours::Deflections)
     }
 
     /// The way along the path, mm.

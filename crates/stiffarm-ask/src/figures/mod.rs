@@ -13,6 +13,7 @@ mod canvas;
 pub(crate) mod compare;
 mod contour;
 pub(crate) mod face;
+mod figure_size;
 pub mod fonts;
 pub(crate) mod hodograph;
 pub(crate) mod identify;
@@ -22,7 +23,6 @@ pub(crate) mod lobes;
 pub(crate) mod map;
 mod marks;
 pub(crate) mod milled;
-mod plate;
 pub(crate) mod postures;
 pub(crate) mod ranking;
 pub mod reach;
@@ -35,7 +35,7 @@ pub(crate) mod swinging;
 pub mod view3d;
 
 pub use bands::Colours;
-pub use plate::Plate;
+pub use figure_size::FigureSize;
 
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]

@@ -4,7 +4,7 @@ use crate::answer::DrawnPosture;
 use stiffarm::interval::Interval;
 use stiffarm::palette::{ARM, BASE, FORCE, GREY, INK, PAPER, WORST_POINT};
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, Font, Px};
 use super::hodograph::arrow;
@@ -24,8 +24,8 @@ const ACROSS: f64 = 0.4;
 const LINKS: [f64; 3] = [11.0, 8.0, 6.0];
 
 /// The figure as SVG text: as many in a row as fit, all on one scale.
-pub(crate) fn svg(title: &str, postures: &[DrawnPosture], plate: &Plate) -> String {
-    let mut canvas = Canvas::of(plate);
+pub(crate) fn svg(title: &str, postures: &[DrawnPosture], figure_size: &FigureSize) -> String {
+    let mut canvas = Canvas::of(figure_size);
     let subtitle = "each from the side of the arm, turned to the right; joint 1 as the robot reports it";
     let mut top = heading(&mut canvas, title, subtitle) + 12.0;
     let columns = ((canvas.width - 20.0) / (ROOM + 8.0)).floor().max(1.0) as usize;

@@ -8,7 +8,7 @@ use super::bands::TOLERANCE_LINE;
 use super::canvas::{Canvas, Font, Px, path, rect_path};
 use super::labels::Spots;
 use super::legend::{Entry, Legend};
-use super::{FigureError, Plate, marks};
+use super::{FigureError, FigureSize, marks};
 
 /// More curves than this carry a letter each: nobody follows so many colours to a legend.
 const MOST_WITHOUT_LETTERS: usize = 8;
@@ -95,9 +95,9 @@ impl Style<'_> {
 ///
 /// A cross ends a complete curve: beyond it the task does not fit.
 #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
-pub(crate) fn svg(title: &str, panels: &[Panel], plate: &Plate) -> Result<String, FigureError> {
+pub(crate) fn svg(title: &str, panels: &[Panel], figure_size: &FigureSize) -> Result<String, FigureError> {
     let styles = styles(panels);
-    let mut canvas = Canvas::of(plate);
+    let mut canvas = Canvas::of(figure_size);
     let mut y = heading(&mut canvas, title, "") + 34.0;
     if panels.is_empty() {
         canvas.text([20.0, y], "nothing to show", Font::new(13.0));
@@ -109,7 +109,7 @@ pub(crate) fn svg(title: &str, panels: &[Panel], plate: &Plate) -> Result<String
     for row in panels.chunks(across) {
         for (i, panel) in row.iter().enumerate() {
             let left = column * i as f64 + 62.0;
-            let frame = frame(panel, plate.ends(), [left, y + height], [left + column - 70.0, y]);
+            let frame = frame(panel, figure_size.ends(), [left, y + height], [left + column - 70.0, y]);
             draw_panel(&mut canvas, panel, &styles, &frame);
         }
         y += height + 74.0;
@@ -317,7 +317,7 @@ mod tests {
                 .collect(),
         ];
         for panels in &cases {
-            assert!(is_svg(&svg(&long, panels, &Plate::default()).unwrap()));
+            assert!(is_svg(&svg(&long, panels, &FigureSize::default()).unwrap()));
         }
     }
 
@@ -326,7 +326,7 @@ mod tests {
         let short = curve("short", &[(0.1, 1.0), (0.2, 2.0)]);
         let long = || curve("long", &[(0.1, 1.0), (0.2, 2.0), (0.3, 2.5)]);
         let crosses = |curves| {
-            svg("", &[panel(curves, None)], &Plate::default()).unwrap().matches(r#"stroke-width="2"/>"#).count()
+            svg("", &[panel(curves, None)], &FigureSize::default()).unwrap().matches(r#"stroke-width="2"/>"#).count()
         };
         // One more stands in the legend.
         assert_eq!(crosses(vec![short, long()]), 2);

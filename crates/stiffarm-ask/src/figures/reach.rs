@@ -11,7 +11,7 @@ use super::contour::Node;
 use super::legend::{Entry, Legend};
 use super::map::edge;
 use super::scene::{Scene, links};
-use super::{FigureError, Plate};
+use super::{FigureError, FigureSize};
 
 /// The edge is sought on so many points along the longer side.
 const POINTS: usize = 240;
@@ -39,7 +39,7 @@ pub struct ReachFigure<'a> {
     /// The joint-2 axis from the base, m; without it lengths count from that axis.
     pub base: Option<[f64; 2]>,
     /// What was asked of the figure.
-    pub plate: Plate,
+    pub figure_size: FigureSize,
 }
 
 impl ReachFigure<'_> {
@@ -62,7 +62,7 @@ impl ReachFigure<'_> {
             keep_outs: Vec::new(),
             force: None,
         };
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
         let margin = 0.04 * x.width().max(z.width());
         let corners = vec![[x.min() - margin, z.min() - margin], [x.max() + margin, z.max() + margin]];
@@ -199,7 +199,7 @@ mod tests {
             subtitle: String::new(),
             arm: &plane.arm,
             base,
-            plate: Plate::default(),
+            figure_size: FigureSize::default(),
         };
         let svg = figure(Some(plane.axis_from_base)).svg().unwrap();
         for text in ["reached with the elbow up", "x from the base [m]", &robot.name] {

@@ -3,7 +3,7 @@
 use crate::answer::{Dimension, Siting};
 use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, PROSE, ZONE};
 
-use super::Plate;
+use super::FigureSize;
 use super::canvas::{Canvas, Font, Px, path};
 
 /// Left and right of both views, px: on the right stand heights.
@@ -26,7 +26,7 @@ pub(crate) struct ShopFigure<'a> {
     /// What is drawn.
     pub siting: &'a Siting,
     /// What was asked of the figure.
-    pub plate: Plate,
+    pub figure_size: FigureSize,
 }
 
 /// From metres to px in both views.
@@ -57,7 +57,7 @@ impl Scale {
 impl ShopFigure<'_> {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
-        let mut canvas = Canvas::of(&self.plate);
+        let mut canvas = Canvas::of(&self.figure_size);
         let top = 18.0;
         let scale = self.scale(canvas.width, top);
         // From above: y, to the left, upwards.

@@ -8,7 +8,7 @@ use super::canvas::{Canvas, Font, Px, path, rect_path};
 use super::contour::{Grid, Node};
 use super::labels::Spots;
 use super::legend::{Entry, Legend};
-use super::{FigureError, Plate};
+use super::{FigureError, FigureSize};
 
 const DASH: &str = r#"stroke-dasharray="7 4""#;
 const BOUNDARY: &str = r#"stroke-width="1.2" stroke-dasharray="2 3""#;
@@ -68,8 +68,8 @@ const HEIGHT: f64 = 250.0;
 ///
 /// # Errors
 /// Where a panel's accuracies do not fit its ratios and sizes.
-pub(crate) fn svg(title: &str, panels: &[StudyPanel], plate: &Plate) -> Result<String, FigureError> {
-    let mut canvas = Canvas::of(plate);
+pub(crate) fn svg(title: &str, panels: &[StudyPanel], figure_size: &FigureSize) -> Result<String, FigureError> {
+    let mut canvas = Canvas::of(figure_size);
     canvas.width = WIDTH;
     let subtitle = "normalised accuracy ε/(kF), lengths over l₂+l₃: the worst deflection of the best-placed task, without joint limits";
     let mut y = heading(&mut canvas, title, subtitle) + 14.0;
@@ -315,14 +315,14 @@ mod tests {
             (2, 9, Some(2.0)),
         ];
         let panels = panels.map(|(mus, sizes, accuracy)| panel(mus, sizes, accuracy));
-        assert!(is_svg(&svg("", &[], &Plate::default()).unwrap()));
-        assert!(is_svg(&svg("all", &panels, &Plate::default()).unwrap()));
+        assert!(is_svg(&svg("", &[], &FigureSize::default()).unwrap()));
+        assert!(is_svg(&svg("all", &panels, &FigureSize::default()).unwrap()));
     }
 
     #[test]
     fn accuracies_that_do_not_fit_the_grid_are_refused() {
         let short = StudyPanel { mus: vec![1.0], ..panel(3, 3, None) };
-        let message = svg("", &[short], &Plate::default()).unwrap_err().to_string();
+        let message = svg("", &[short], &FigureSize::default()).unwrap_err().to_string();
         assert_eq!(message, "a figure of sizes x ratios: 9 values; expected 3");
     }
 }

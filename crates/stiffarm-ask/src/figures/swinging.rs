@@ -5,7 +5,7 @@ use stiffarm::modes::{Mode, Swing};
 use stiffarm::palette::{ARM, BASE, GREY, INK, PAPER, RATIOS};
 use stiffarm::robot::Arm;
 
-use super::Plate;
+use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, Px};
 use super::legend::{Entry, Legend};
@@ -27,8 +27,8 @@ const LINKS: [f64; 5] = [14.0, 11.0, 8.0, 6.0, 3.0];
 type Line = [Vector3<f64>; 6];
 
 /// The figure as SVG text.
-pub(crate) fn svg(answer: &ModesAnswer, plate: &Plate) -> String {
-    let mut canvas = Canvas::of(plate);
+pub(crate) fn svg(answer: &ModesAnswer, figure_size: &FigureSize) -> String {
+    let mut canvas = Canvas::of(figure_size);
     let title = format!("{}: how the arm swings", answer.robot.full_name());
     let subtitle = format!(
         "joints {}; {}; each mode is drawn many times larger than it is",
@@ -204,7 +204,7 @@ mod tests {
     fn a_figure_has_each_mode_there_and_back_in_both_views_with_its_interval() {
         for (count, drawn) in [(6, 3), (2, 2)] {
             let answer = answer(20.0, count);
-            let text = svg(&answer, &Plate::default());
+            let text = svg(&answer, &FigureSize::default());
             assert!(is_svg(&text), "{text}");
             assert_eq!(text.matches("stroke-linejoin").count(), drawn * 2 * 2, "{text}");
             let first = answer.modes()[0];

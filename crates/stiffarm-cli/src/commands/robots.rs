@@ -2,7 +2,7 @@
 
 use stiffarm_ask::ask::robots::answer;
 use stiffarm_ask::ask::{AskError, Context, forms, selection};
-use stiffarm_ask::figures::Plate;
+use stiffarm_ask::figures::FigureSize;
 use stiffarm_ask::request::Request;
 
 use super::sheet::{self, Sheet};
@@ -31,5 +31,5 @@ fn show(robot: &str, width_mm: Option<f64>, common: &Common) -> Result<(), Failu
 
 /// What is known of one robot.
 pub(crate) fn sheet_of(robot: &str, width_mm: Option<f64>, context: Context) -> Result<Sheet, AskError> {
-    Ok(Sheet(selection::robot(robot, context)?, Plate { width_mm, scale: None }))
+    Ok(Sheet(selection::robot(robot, context)?, FigureSize { width_mm, scale: None }))
 }

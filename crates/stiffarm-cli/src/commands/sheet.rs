@@ -16,10 +16,10 @@ use stiffarm_ask::ask::AskError;
 
 use stiffarm_ask::forms::{Answer, Forms, Makes, Picture, Piece};
 
-use stiffarm_ask::figures::Plate;
+use stiffarm_ask::figures::FigureSize;
 use stiffarm_ask::figures::reach::ReachFigure;
 
-pub(crate) struct Sheet(pub(super) Robot, pub(super) Plate);
+pub(crate) struct Sheet(pub(super) Robot, pub(super) FigureSize);
 
 /// `-40.0 to 160.0`, in degrees.
 fn degrees(range: Interval) -> String {
@@ -86,7 +86,7 @@ impl Sheet {
             subtitle: format!("{}; what the wrist centre reaches in the arm plane", class(robot)),
             arm: &plane.arm,
             base,
-            plate: self.1,
+            figure_size: self.1,
         };
         drawn.svg().map_err(Into::into)
     }
@@ -212,7 +212,7 @@ impl Answer for Sheet {
         Some(self.figure())
     }
 
-    fn plate(&self) -> Plate {
+    fn figure_size(&self) -> FigureSize {
         self.1
     }
 }

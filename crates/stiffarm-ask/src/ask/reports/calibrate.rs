@@ -1,10 +1,10 @@
 //! The report of `calibrate`: by how much the arm errs, before and after.
 
 use super::Inputs;
-use super::said::{plate, repeated};
+use super::said::{figure_size, repeated};
 use crate::answer::CalibrateAnswer;
 use crate::error::AskError;
-use crate::figures::{Plate, calibrate as figure};
+use crate::figures::{FigureSize, calibrate as figure};
 use crate::report::robots::provenance_of;
 use crate::report::{Block, Report, Section};
 use crate::request::Request;
@@ -15,11 +15,11 @@ use crate::request::Request;
 /// Where a file is no longer there.
 pub(crate) fn of(
     answer: &CalibrateAnswer,
-    look: Plate,
+    look: FigureSize,
     (asked, inputs): (&Request, &Inputs),
 ) -> Result<Report, AskError> {
     let mut decided = Section::new("What decides");
-    decided.figure(figure::svg(answer, &plate(look)), "The largest error of every row, as drawn and calibrated.");
+    decided.figure(figure::svg(answer, &figure_size(look)), "The largest error of every row, as drawn and calibrated.");
     decided.heading("The error that remains");
     decided.table(answer.summary());
     decided.heading("What each level leaves");

@@ -1,10 +1,10 @@
 //! The report of `identify`: which drives are known now, and how well.
 
 use super::Inputs;
-use super::said::{plate, repeated};
+use super::said::{figure_size, repeated};
 use crate::answer::IdentifyAnswer;
 use crate::error::AskError;
-use crate::figures::{Plate, identify as figure};
+use crate::figures::{FigureSize, identify as figure};
 use crate::report::robots::provenance_of;
 use crate::report::{Block, Report, Section};
 use crate::request::Request;
@@ -15,11 +15,11 @@ use crate::request::Request;
 /// Where a file is no longer there.
 pub(crate) fn of(
     answer: &IdentifyAnswer,
-    look: Plate,
+    look: FigureSize,
     (asked, inputs): (&Request, &Inputs),
 ) -> Result<Report, AskError> {
     let mut decided = Section::new("What decides");
-    let svg = figure::svg(answer, &plate(look));
+    let svg = figure::svg(answer, &figure_size(look));
     decided.figure(svg, "What was measured, and what the compliances found leave of it.");
     decided.heading("Drives");
     decided.table(answer.table());

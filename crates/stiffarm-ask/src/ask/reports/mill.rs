@@ -4,11 +4,11 @@ use crate::answer::MillAnswer;
 use crate::request::Request;
 
 use super::place;
-use super::said::{meaning, plate, repeated};
+use super::said::{figure_size, meaning, repeated};
 use crate::ask::mill::{MillOutput, rolls};
 use crate::error::AskError;
 use crate::figures::milled::MilledFigure;
-use crate::figures::{Plate, lobes};
+use crate::figures::{FigureSize, lobes};
 use crate::report::robots::provenance_of;
 use crate::report::{Report, Section};
 
@@ -19,7 +19,7 @@ use crate::report::{Report, Section};
 pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError> {
     let answer = &found.answer;
     let mut decided = Section::new("What decides");
-    picture(answer, found.plate, &mut decided)?;
+    picture(answer, found.figure_size, &mut decided)?;
     decided.table(answer.table());
     let (mut sections, inputs) = (vec![decided], found.inputs());
     sections.extend(meaning(asked));
@@ -36,7 +36,7 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError
         drives.table(table);
         drives
     }));
-    sections.extend(swings(answer, found.plate));
+    sections.extend(swings(answer, found.figure_size));
     sections.extend([provenance_of(&answer.robot), repeated(asked, &inputs)?]);
     Ok(Report {
         title: format!("{} along {}", answer.robot.full_name(), answer.path),
@@ -47,13 +47,13 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError
 }
 
 /// Whether the cuts swing, where that was asked.
-fn swings(answer: &MillAnswer, asked: Plate) -> Option<Section> {
+fn swings(answer: &MillAnswer, asked: FigureSize) -> Option<Section> {
     let verdict = answer.chatter_verdict()?;
     let mut section = Section::new("Whether the cuts swing with the arm");
     section.text(format!("{verdict}. A robot that is calm says nothing of spindle, holder, cutter and work."));
     if let Some((_, found)) = answer.chatter.as_ref().and_then(|told| told.worst.as_ref()) {
         section.figure(
-            lobes::svg(found, &plate(asked)),
+            lobes::svg(found, &figure_size(asked)),
             "From which depth the cut at the worst sample swings, over the speed of the spindle.",
         );
     }
@@ -62,9 +62,9 @@ fn swings(answer: &MillAnswer, asked: Plate) -> Option<Section> {
 }
 
 /// Error, rolls and path; nothing where it is not followed.
-pub(crate) fn picture(answer: &MillAnswer, asked: Plate, section: &mut Section) -> Result<(), AskError> {
+pub(crate) fn picture(answer: &MillAnswer, asked: FigureSize, section: &mut Section) -> Result<(), AskError> {
     if answer.followed().is_some() {
-        let svg = MilledFigure { answer, rolls: &rolls(answer)?, plate: plate(asked) }.svg();
+        let svg = MilledFigure { answer, rolls: &rolls(answer)?, figure_size: figure_size(asked) }.svg();
         section.figure(
             svg,
             "The error along the path, every roll of the tool with what forbids the others, and the path from above.",

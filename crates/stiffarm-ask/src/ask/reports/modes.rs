@@ -1,10 +1,10 @@
 //! The report of `modes`: how the arm swings, at a posture or over a zone.
 
 use super::Inputs;
-use super::said::{plate, repeated};
+use super::said::{figure_size, repeated};
 use crate::answer::{ModesAnswer, ModesOverAnswer};
 use crate::error::AskError;
-use crate::figures::{Plate, swinging};
+use crate::figures::{FigureSize, swinging};
 use crate::report::robots::provenance_of;
 use crate::report::{Report, Section};
 use crate::request::Request;
@@ -13,11 +13,15 @@ use crate::request::Request;
 ///
 /// # Errors
 /// Where a file is no longer there.
-pub(crate) fn of(answer: &ModesAnswer, look: Plate, (asked, inputs): (&Request, &Inputs)) -> Result<Report, AskError> {
+pub(crate) fn of(
+    answer: &ModesAnswer,
+    look: FigureSize,
+    (asked, inputs): (&Request, &Inputs),
+) -> Result<Report, AskError> {
     let mut decided = Section::new("What decides");
     let shapes =
         "How the arm moves in its first modes, seen from the side and from above; lengths of the shapes are at will.";
-    decided.figure(swinging::svg(answer, &plate(look)), shapes);
+    decided.figure(swinging::svg(answer, &figure_size(look)), shapes);
     decided.heading("Modes");
     decided.table(answer.table());
     let angles = answer.joints_deg.map(|angle| angle.to_string()).join(", ");

@@ -4,7 +4,7 @@ use crate::answer::MillAnswer;
 use crate::request::Request;
 
 use super::mill;
-use super::said::{meaning, plate, repeated};
+use super::said::{figure_size, meaning, repeated};
 use crate::ask::path_ranking::PathRankOutput;
 use crate::error::AskError;
 use crate::report::robots::provenance;
@@ -21,7 +21,7 @@ pub(crate) fn of(found: &PathRankOutput, asked: &Request) -> Result<Report, AskE
     let answer = &found.answer;
     let mut decided = Section::new("What decides");
     decided.figure(
-        found.figure(plate(found.plate)),
+        found.figure(figure_size(found.figure_size)),
         "Largest error along the path of each robot at its best place and rolls, with what is proved.",
     );
     decided.heading("Ranking");
@@ -35,7 +35,7 @@ pub(crate) fn of(found: &PathRankOutput, asked: &Request) -> Result<Report, AskE
     for (row, milled) in milled.take(MOST_PARTS) {
         let rank = row.standing.rank.map_or_else(String::new, |rank| format!("{rank}  "));
         let mut section = Section::new(format!("{rank}{}", row.robot.full_name())).on_new_page();
-        mill::picture(milled, found.plate, &mut section)?;
+        mill::picture(milled, found.figure_size, &mut section)?;
         section.table(milled.table());
         worst(milled, &mut section);
         if let Some(site) = mill::site(milled) {

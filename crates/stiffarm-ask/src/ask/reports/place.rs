@@ -4,10 +4,10 @@ use crate::answer::{Siting, Table};
 use crate::request::Request;
 use stiffarm::model::ModelKind;
 
-use super::said::{meaning, plate, repeated};
+use super::said::{figure_size, meaning, repeated};
 use crate::ask::place::PlaceOutput;
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::figures::shop::ShopFigure;
 use crate::report::robots::provenance_of;
 use crate::report::{Report, Section};
@@ -45,7 +45,7 @@ pub(crate) fn picture(found: &PlaceOutput, section: &mut Section) -> Result<(), 
     if answer.best().is_none_or(|best| !best.faces.is_empty()) {
         return Ok(()); // no section shows a part: its shop drawing follows
     }
-    let svg = found.figure(plate(found.plate))?;
+    let svg = found.figure(figure_size(found.figure_size))?;
     section.figure(
         svg,
         format!(
@@ -61,7 +61,7 @@ pub(crate) fn picture(found: &PlaceOutput, section: &mut Section) -> Result<(), 
 /// The map without a zone, where there is no place; why there is none where nothing is reached.
 fn reached(found: &PlaceOutput, section: &mut Section) {
     let name = found.answer.robot.full_name();
-    match found.map_alone(plate(found.plate)) {
+    match found.map_alone(figure_size(found.figure_size)) {
         Ok(svg) => section.figure(svg, format!("{name}: the map of the deflection; no place was found on it.")),
         Err(why) => section.text(format!("There is no map: {why}.")),
     }
@@ -77,7 +77,7 @@ pub(crate) fn site(found: &PlaceOutput) -> Option<Section> {
 /// The drawing, and what is measured in it.
 pub(crate) fn standing(siting: &Siting, what: &str) -> Section {
     let mut section = Section::new("Where the work must stand");
-    let figure = ShopFigure { siting, plate: plate(Plate::default()) };
+    let figure = ShopFigure { siting, figure_size: figure_size(FigureSize::default()) };
     section
         .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", siting.origin));
     section.table(Table::of_lines(siting.measured()));

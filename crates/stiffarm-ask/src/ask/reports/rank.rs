@@ -9,7 +9,7 @@ use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Task;
 
 use super::place;
-use super::said::{meaning, plate, repeated};
+use super::said::{figure_size, meaning, repeated};
 use crate::ask::place::PlaceOutput;
 use crate::ask::rank::{RankOutput, shapes};
 use crate::ask::study::StudyOutput;
@@ -93,7 +93,7 @@ fn deciding(found: &RankOutput) -> Result<Section, AskError> {
         ModelKind::Planar => "Worst deflection at the best place against the size of the task.",
         ModelKind::Spatial(_) => "Worst deflection at the best place of each task, with what is proved.",
     };
-    section.figure(found.figure(plate(found.plate))?, caption);
+    section.figure(found.figure(figure_size(found.figure_size))?, caption);
     section.heading("Ranking");
     section.notes(answer.heading().lines());
     section.blocks.push(Block::Table(Listing { table: without_places(answer), is_sortable: true }));
@@ -148,7 +148,7 @@ fn placed(found: &RankOutput, (at, task): (usize, usize), asked: &Request) -> Re
         tolerance_mm: *tolerance_mm,
         advice: found.answer.advice.get(at).and_then(|of_row| of_row.get(task)?.clone()),
     };
-    PlaceOutput::told(answer, (asked, found.inputs()), (found.plate, MAP_POINTS))
+    PlaceOutput::told(answer, (asked, found.inputs()), (found.figure_size, MAP_POINTS))
 }
 
 /// Which architecture suits which size, where the planar model of the paper says that.
@@ -164,7 +164,7 @@ fn boundary(answer: &RankAnswer, found: &RankOutput) -> Result<Option<Section>, 
     section.notes(
         study.notes().lines().map(str::to_owned).filter(|line| line.contains("best ratio") || !line.contains("mu =")),
     );
-    let drawn = StudyOutput(study, plate(found.plate)).figure()?;
+    let drawn = StudyOutput(study, figure_size(found.figure_size)).figure()?;
     section.figure(drawn, "Where the better architecture changes, over the link ratio and the size of the task.");
     Ok(Some(section))
 }

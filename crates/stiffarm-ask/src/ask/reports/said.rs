@@ -6,7 +6,7 @@ use super::inputs::Inputs;
 use crate::answer::{HOLDS, ON_TOP};
 use crate::date::today;
 use crate::error::AskError;
-use crate::figures::Plate;
+use crate::figures::FigureSize;
 use crate::report::{Block, Section};
 use crate::request::{Request, job};
 
@@ -17,8 +17,8 @@ const WIDTH_MM: f64 = 174.0;
 const CODE_LETTERS: usize = 92;
 
 /// How figures of a report are laid out; the range of the colours is that which was asked for.
-pub(super) fn plate(asked: Plate) -> Plate {
-    Plate { width_mm: Some(WIDTH_MM), ..asked }
+pub(super) fn figure_size(asked: FigureSize) -> FigureSize {
+    FigureSize { width_mm: Some(WIDTH_MM), ..asked }
 }
 
 /// What a verdict is about, and how large what it is not about usually is; nothing where there is no tolerance.

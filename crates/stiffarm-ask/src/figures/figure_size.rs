@@ -14,14 +14,14 @@ const DPI: [f32; 2] = [300.0, 96.0];
 
 /// What was asked of the figure alone.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Plate {
+pub struct FigureSize {
     /// Its width on paper; without it, it is made for a screen.
     pub width_mm: Option<f64>,
     /// From where to where its colours, bars or curves go, in the unit of what is drawn; what is found without it.
     pub scale: Option<Interval>,
 }
 
-impl Plate {
+impl FigureSize {
     /// As it was asked for.
     ///
     /// # Errors
@@ -53,11 +53,11 @@ mod tests {
 
     #[test]
     fn the_smallest_text_has_eight_points_on_paper_where_there_is_room() {
-        let plate = |width_mm| Plate { width_mm: Some(width_mm), scale: None };
+        let figure_size = |width_mm| FigureSize { width_mm: Some(width_mm), scale: None };
         // 12 px of a sheet, in points on paper.
-        let points = |mm: f64| 12.0 * mm / plate(mm).width() / 25.4 * 72.0;
+        let points = |mm: f64| 12.0 * mm / figure_size(mm).width() / 25.4 * 72.0;
         assert!((points(170.0) - 8.0).abs() < 1e-9 && (points(140.0) - 8.0).abs() < 1e-9);
         assert!(5.0 < points(85.0) && points(85.0) < 8.0, "a column: {}", points(85.0));
-        assert_eq!((Plate::default().width(), Plate::default().pixels()), (1000.0, 2.0));
+        assert_eq!((FigureSize::default().width(), FigureSize::default().pixels()), (1000.0, 2.0));
     }
 }
