@@ -29,5 +29,8 @@ pub(crate) fn looks(robots: Vec<(String, String)>) -> Vec<Option<(&'static str, 
     let architecture =
         |name: &str| if name == Architecture::Serial.name() { Architecture::Serial } else { Architecture::QuasiSerial };
     let named: Vec<_> = robots.iter().map(|(name, of)| (name.as_str(), architecture(of))).collect();
-    stiffarm_ask::answer::looks(&named).into_iter().map(|look| look.map(|look| (look.colour, look.mark))).collect()
+    stiffarm_ask::answer::styles(&named)
+        .into_iter()
+        .map(|style| style.map(|style| (style.colour, style.mark)))
+        .collect()
 }

@@ -1,6 +1,6 @@
 //! Several robots on a toolpath, as text, table, JSON and bars.
 
-use crate::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
+use crate::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, stiffnesses, styles, words};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::drive::Architecture;
@@ -48,11 +48,11 @@ impl PathRankOutput<'_> {
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
         let named: Vec<(&str, Architecture)> =
             rows.iter().map(|row| (row.robot.name.as_str(), row.robot.architecture)).collect();
-        let drawn = rows.iter().zip(looks(&named)).take(MOST_BARS).map(|(row, look)| BarRow {
+        let drawn = rows.iter().zip(styles(&named)).take(MOST_BARS).map(|(row, style)| BarRow {
             robot: words::marked(&row.robot),
             serial: row.robot.architecture == Architecture::Serial,
             estimated: row.robot.status == Status::Estimated,
-            look,
+            style,
             intervals: vec![
                 row.milled
                     .as_ref()

@@ -320,8 +320,8 @@ impl Answer for PlaceOutput {
         let nothing = || {
             AskError::Figure("nothing to draw: the work has no place, or nothing is known of the robot's base".into())
         };
-        let drawn = |siting| ShopFigure { siting: &siting, figure_size: self.figure_size }.svg();
-        Some(self.answer.siting().map(drawn).ok_or_else(nothing))
+        let drawn = |layout| ShopFigure { layout: &layout, figure_size: self.figure_size }.svg();
+        Some(self.answer.layout().map(drawn).ok_or_else(nothing))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

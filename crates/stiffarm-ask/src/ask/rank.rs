@@ -1,6 +1,6 @@
 //! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
 
-use crate::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
+use crate::answer::{self, RankAnswer, Rows, Unit, Verdict, stiffnesses, styles, words};
 use crate::request::{Request, distinct};
 use serde_json::Value;
 use std::cell::OnceCell;
@@ -88,7 +88,7 @@ impl RankOutput<'_> {
     fn curves(&self, figure_size: FigureSize) -> Result<String, AskError> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm, .. } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
-        let (shapes, looks) = (shapes(tasks), self.looks());
+        let (shapes, styles) = (shapes(tasks), self.styles());
         let mut panels = Vec::new();
         for (shape, marks) in shapes {
             let largest = 1.01 * largest_scale(&robots, shape.zone);
@@ -97,11 +97,11 @@ impl RankOutput<'_> {
             let asked = (model, &options);
             let values =
                 self.context.watched("drawing curves", |watch| curves(&robots, &shape, &scales, asked, watch))?;
-            let curves = robots.iter().zip(&looks).zip(values).map(|((robot, look), curve)| Curve {
+            let curves = robots.iter().zip(&styles).zip(values).map(|((robot, style), curve)| Curve {
                 robot: robot.name.clone(),
                 serial: robot.architecture == Architecture::Serial,
                 estimated: robot.status == Status::Estimated,
-                look: *look,
+                robot_style: *style,
                 points: curve
                     .points
                     .into_iter()
@@ -134,11 +134,11 @@ impl RankOutput<'_> {
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
         let mm = |metres: f64| Unit::Millimetre.told(metres);
-        let drawn = rows.iter().zip(self.looks()).enumerate().take(MOST_BARS).map(|(at, (row, look))| BarRow {
+        let drawn = rows.iter().zip(self.styles()).enumerate().take(MOST_BARS).map(|(at, (row, style))| BarRow {
             robot: words::marked(&row.robot),
             serial: row.robot.architecture == Architecture::Serial,
             estimated: row.robot.status == Status::Estimated,
-            look,
+            style,
             values: (0..tasks.len())
                 .map(|task| row.placement(task).map(|best| [best.deflection, best.lower_bound].map(mm).into()))
                 .collect(),
@@ -163,9 +163,9 @@ impl RankOutput<'_> {
     }
 
     /// By row, the best first.
-    fn looks(&self) -> Vec<Option<answer::Look>> {
+    fn styles(&self) -> Vec<Option<answer::RobotStyle>> {
         let robots = self.answer.ranking.rows.iter().map(|row| &row.robot);
-        looks(&robots.map(|robot| (robot.name.as_str(), robot.architecture)).collect::<Vec<_>>())
+        styles(&robots.map(|robot| (robot.name.as_str(), robot.architecture)).collect::<Vec<_>>())
     }
 }
 

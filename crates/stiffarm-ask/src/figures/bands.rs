@@ -5,7 +5,7 @@ use stiffarm::palette::{GREY, INK, OVER, PAPER, TOLERANCE, UNDER, on_margin_scal
 use super::axes::{label, nice_step};
 use super::canvas::{Canvas, Font, Px, path};
 use super::contour::{Grid, Line, Node};
-use super::labels::{Labelled, Spots};
+use super::labels::{Labelled, Occupied};
 
 /// What the colours of a field stand for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -189,17 +189,17 @@ impl Field<'_> {
         self.placed(lines).iter().map(|ring| path(ring, true)).collect()
     }
 
-    /// The bands, their iso-lines, the edge, and as many labels as find room beside what `spots` holds already.
-    pub(crate) fn draw(&self, canvas: &mut Canvas, font: Font, spots: &mut Spots) {
+    /// The bands, their iso-lines, the edge, and as many labels as find room beside what `occupied` holds already.
+    pub(crate) fn draw(&self, canvas: &mut Canvas, font: Font, occupied: &mut Occupied) {
         let lines = self.fill(canvas);
-        self.label(canvas, &lines, font, spots);
+        self.label(canvas, &lines, font, occupied);
     }
 
     /// The edge, and labels on iso-lines.
-    pub(crate) fn label(&self, canvas: &mut Canvas, lines: &[Labelled], font: Font, spots: &mut Spots) {
+    pub(crate) fn label(&self, canvas: &mut Canvas, lines: &[Labelled], font: Font, occupied: &mut Occupied) {
         let region = self.area(self.region);
         canvas.path(&region, &format!(r#"fill="none" stroke="{INK}" stroke-width="1.2" stroke-linejoin="round""#));
-        spots.label(canvas, lines, font, &self.placed(self.region));
+        occupied.label(canvas, lines, font, &self.placed(self.region));
     }
 
     /// The bands and their iso-lines, which may be labelled.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::answer::Look;
+use crate::answer::RobotStyle;
 use stiffarm::palette::{
     ESTIMATED, FAINT, GREY, INK, LIMIT, QUASI_SERIAL, QUASI_SERIAL_CURVES, SERIAL, SERIAL_CURVES, TOLERANCE,
 };
@@ -28,7 +28,7 @@ pub(crate) struct BarRow {
     /// Its geometry or limits are assumed.
     pub estimated: bool,
     /// Its colour and mark in every figure, where it is told apart.
-    pub look: Option<Look>,
+    pub style: Option<RobotStyle>,
     /// By task: deflection and its proved lower bound, mm; absent where the task does not fit.
     pub values: Vec<Option<(f64, f64)>>,
     /// By task: where it lies with 90 %, mm; absent where nothing says how far the drives may be off.
@@ -56,7 +56,7 @@ pub(crate) struct BarsFigure {
 impl BarRow {
     fn colour(&self) -> &'static str {
         let usual = if self.serial { SERIAL } else { QUASI_SERIAL };
-        self.look.map_or(usual, |look| look.colour)
+        self.style.map_or(usual, |style| style.colour)
     }
 }
 
@@ -78,10 +78,10 @@ impl BarsFigure {
             bottom = top + ROW * self.rows.len() as f64;
             for (row, y) in self.rows.iter().zip(lines(top)) {
                 canvas.text([20.0 + widest, y], &font.cut(&row.robot, widest), font.end());
-                if let Some(look) = row.look {
-                    let fill = if row.estimated { ESTIMATED } else { look.colour };
-                    let drawn = format!(r#"fill="{fill}" stroke="{}" stroke-width="1.2""#, look.colour);
-                    marks::mark(&mut canvas, [33.0 + widest, y], look.mark, &drawn);
+                if let Some(style) = row.style {
+                    let fill = if row.estimated { ESTIMATED } else { style.colour };
+                    let drawn = format!(r#"fill="{fill}" stroke="{}" stroke-width="1.2""#, style.colour);
+                    marks::mark(&mut canvas, [33.0 + widest, y], style.mark, &drawn);
                 }
             }
             for (i, name) in tasks.iter().enumerate() {
@@ -140,7 +140,7 @@ impl BarsFigure {
                 let _ = write!(told, "; {verdict}");
             }
             canvas.told(&told, |canvas| {
-                canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(row.colour(), row.estimated));
+                canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &style(row.colour(), row.estimated));
             });
             let bound = bound.clamp(0.0, found);
             if axis.contains(bound) {
@@ -175,13 +175,13 @@ impl BarsFigure {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let told_apart = self.rows.iter().any(|row| row.look.is_some());
+        let told_apart = self.rows.iter().any(|row| row.style.is_some());
         let bar = |text: &str, colours: Vec<&'static str>, estimated: bool| {
             Entry::new(text, move |canvas, [x, y]| {
                 let width = 30.0 / colours.len() as f64;
                 for (i, colour) in colours.iter().enumerate() {
                     let left = x - 15.0 + width * i as f64;
-                    canvas.rect([left, y - 6.0], [left + width, y + 6.0], &look(colour, estimated));
+                    canvas.rect([left, y - 6.0], [left + width, y + 6.0], &style(colour, estimated));
                 }
             })
         };
@@ -223,17 +223,17 @@ fn lines(top: f64) -> impl Iterator<Item = f64> {
     (0..).map(move |i| top + ROW * (f64::from(i) + 0.5))
 }
 
-fn look(colour: &str, estimated: bool) -> String {
+fn style(colour: &str, estimated: bool) -> String {
     let opacity = if estimated { 0.25 } else { 1.0 };
     format!(r#"fill="{colour}" fill-opacity="{opacity}" stroke="{colour}" stroke-width="1""#)
 }
 
 /// From where to where, px; without an end on the right where it goes on.
 fn whisker(canvas: &mut Canvas, [low, high]: [f64; 2], y: f64, is_ended: bool) {
-    let look = format!(r#"stroke="{GREY}" stroke-width="1.4""#);
-    canvas.line([low, y], [high, y], &look);
+    let style = format!(r#"stroke="{GREY}" stroke-width="1.4""#);
+    canvas.line([low, y], [high, y], &style);
     for x in [Some(low), is_ended.then_some(high)].into_iter().flatten() {
-        canvas.line([x, y - 3.5], [x, y + 3.5], &look);
+        canvas.line([x, y - 3.5], [x, y + 3.5], &style);
     }
 }
 
@@ -246,14 +246,14 @@ mod tests {
     use super::super::is_svg;
     use super::*;
 
-    /// From where to where along x the paths of two points go that have this look.
-    fn lines_at(svg: &str, look: &str) -> Vec<[f64; 2]> {
+    /// From where to where along x the paths of two points go that have this style.
+    fn lines_at(svg: &str, style: &str) -> Vec<[f64; 2]> {
         let of_path = |path: &str| {
             let (drawn, rest) = path.split_once('"')?;
             let mut numbers =
                 drawn.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '-').flat_map(str::parse::<f64>);
             let [x0, _, x1, _] = std::array::from_fn(|_| numbers.next());
-            rest.split('>').next()?.contains(look).then_some([x0?, x1?])
+            rest.split('>').next()?.contains(style).then_some([x0?, x1?])
         };
         svg.split("<path d=\"").skip(1).filter_map(of_path).collect()
     }
@@ -264,7 +264,7 @@ mod tests {
             robot: robot.into(),
             serial: robot.len().is_multiple_of(2),
             estimated: false,
-            look: (robot == "one").then_some(Look { colour: stiffarm::palette::RATIOS[0], mark: 3 }),
+            style: (robot == "one").then_some(RobotStyle { colour: stiffarm::palette::RATIOS[0], mark: 3 }),
             intervals: values.iter().map(|value| value.map(|(found, _)| [0.5 * found, 1.5 * found])).collect(),
             verdicts: vec![Some("pass (P = 97 %)".into()), None],
             values,

@@ -6,7 +6,7 @@ use super::axes::{Axis, Frame};
 use super::bands::{Bands, Colours, Field};
 use super::canvas::{Canvas, Font, Px};
 use super::contour::{Grid, Node};
-use super::labels::Spots;
+use super::labels::Occupied;
 use super::scene::{draw_rim, rim, worst_mark};
 
 /// The longer side of the diagram, px.
@@ -48,13 +48,13 @@ impl FaceFigure {
         if let Some(extremes) = grid.extremes() {
             let bands = Bands::within(scale, extremes, Colours::Deflections);
             let region = [border(self.per_side)];
-            let mut spots = Spots::default();
+            let mut occupied = Occupied::default();
             let worst = at(self.worst());
-            spots.take(&[worst; 2], 12.0);
+            occupied.take(&[worst; 2], 12.0);
             Field { grid: &grid, region: &region, bands, tolerance: None, at: &at }.draw(
                 canvas,
                 Font::new(12.0),
-                &mut spots,
+                &mut occupied,
             );
             draw_rim(canvas, &rim(self.zone, [0.0; 2], 0.0).into_iter().map(on_page).collect::<Vec<Px>>());
             worst_mark(canvas, worst);

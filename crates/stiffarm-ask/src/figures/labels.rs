@@ -12,7 +12,7 @@ pub(crate) struct Labelled {
 
 /// What is taken on the sheet, as discs.
 #[derive(Default)]
-pub(crate) struct Spots {
+pub(crate) struct Occupied {
     taken: Vec<(Px, f64)>,
 }
 
@@ -24,7 +24,7 @@ struct Place {
     cost: f64,
 }
 
-impl Spots {
+impl Occupied {
     /// Keeps labels off a line by `radius`.
     pub(crate) fn take(&mut self, points: &[Px], radius: f64) {
         for pair in points.windows(2) {
@@ -165,11 +165,11 @@ mod tests {
         let region = [vec![[0.0, 0.0], [200.0, 0.0], [200.0, 200.0], [0.0, 200.0], [0.0, 0.0]]];
         let line = |y: f64| Labelled { points: vec![[-100.0, y], [300.0, y + 20.0]], text: "1.25".into() };
         let lines: Vec<Labelled> = (0..40).map(|i| line(f64::from(i) * 5.0)).collect();
-        let (mut spots, mut canvas) = (Spots::default(), Canvas::new(200.0, 200.0));
-        spots.take(&[[0.0, 100.0], [200.0, 100.0]], 10.0);
-        spots.label(&mut canvas, &lines, Font::new(12.0), &region);
+        let (mut occupied, mut canvas) = (Occupied::default(), Canvas::new(200.0, 200.0));
+        occupied.take(&[[0.0, 100.0], [200.0, 100.0]], 10.0);
+        occupied.label(&mut canvas, &lines, Font::new(12.0), &region);
         let discs: Vec<Px> =
-            spots.taken.iter().filter(|(_, radius)| *radius == 0.7 * 12.0).map(|(at, _)| *at).collect();
+            occupied.taken.iter().filter(|(_, radius)| *radius == 0.7 * 12.0).map(|(at, _)| *at).collect();
         let labels: Vec<&[Px]> = discs.chunks(5).collect();
         assert!(10 < labels.len());
         for (i, label) in labels.iter().enumerate() {
@@ -185,8 +185,8 @@ mod tests {
         let region = [vec![[0.0, 0.0], [200.0, 0.0], [200.0, 200.0], [0.0, 0.0]]];
         let line = |points: &[Px]| Labelled { points: points.to_vec(), text: "1".into() };
         let lines = [line(&[]), line(&[[5.0, 5.0]]), line(&[[5.0, 5.0]; 3]), line(&[[f64::NAN, 0.0], [1.0, 1.0]])];
-        let mut spots = Spots::default();
-        spots.label(&mut Canvas::new(9.0, 9.0), &lines, Font::new(12.0), &region);
-        assert!(spots.taken.iter().all(|(_, radius)| *radius == 3.0));
+        let mut occupied = Occupied::default();
+        occupied.label(&mut Canvas::new(9.0, 9.0), &lines, Font::new(12.0), &region);
+        assert!(occupied.taken.iter().all(|(_, radius)| *radius == 3.0));
     }
 }

@@ -10,7 +10,7 @@ use super::bands::{Bands, Colours, Field, TOLERANCE_LINE};
 use super::canvas::{Canvas, Font, Px, rect_path};
 use super::contour::{Grid, Line, Node, area};
 use super::face::FaceFigure;
-use super::labels::Spots;
+use super::labels::Occupied;
 use super::legend::{Entry, Legend};
 use super::scene::Scene;
 use super::sheets::{Part, Ways, parts};
@@ -173,16 +173,16 @@ impl MapFigure<'_> {
             (None, Some(edge)) => vec![Part { region: region(&grid, edge, &metres), grid }],
             (None, None) => vec![Part { region: grid.smooth_outline(), grid }],
         };
-        let mut spots = Spots::default();
+        let mut occupied = Occupied::default();
         for line in self.scene.covered(frame) {
-            spots.take(&line, 9.0);
+            occupied.take(&line, 9.0);
         }
         // All of the field lies below its parts, so that no gap shows between them.
         let mut lines = self.field(&parts[0], bands, &at).fill(canvas);
         if 1 < parts.len() {
             lines = parts[1..].iter().flat_map(|part| self.field(part, bands, &at).fill(canvas)).collect();
         }
-        self.field(&parts[0], bands, &at).label(canvas, &lines, Font::new(12.0), &mut spots);
+        self.field(&parts[0], bands, &at).label(canvas, &lines, Font::new(12.0), &mut occupied);
         Some(bands)
     }
 }

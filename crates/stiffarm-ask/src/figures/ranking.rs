@@ -1,12 +1,12 @@
 //! Robots compared: deflection against task size, one diagram per task shape.
 
-use crate::answer::Look;
+use crate::answer::RobotStyle;
 use stiffarm::palette::{ESTIMATED, GREY, INK, OTHERS, TOLERANCE};
 
 use super::axes::{Axis, Frame, heading};
 use super::bands::TOLERANCE_LINE;
 use super::canvas::{Canvas, Font, Px, path, rect_path};
-use super::labels::Spots;
+use super::labels::Occupied;
 use super::legend::{Entry, Legend};
 use super::{FigureError, FigureSize, marks};
 
@@ -25,7 +25,7 @@ pub(crate) struct Curve {
     /// Its geometry or limits are assumed.
     pub estimated: bool,
     /// Its colour and mark in every figure; grey without one.
-    pub look: Option<Look>,
+    pub robot_style: Option<RobotStyle>,
     /// Size, m, and deflection, mm, by rising size; no point where the task does not fit.
     pub points: Vec<(f64, f64)>,
     /// Beyond the last point the task does not fit.
@@ -46,23 +46,23 @@ pub(crate) struct Panel {
     pub tolerance_mm: Option<f64>,
 }
 
-/// How the curves of a robot look, the same in every panel.
-struct Style<'a> {
+/// How the curves of a robot are drawn, the same in every panel.
+struct CurveStyle<'a> {
     robot: &'a str,
     serial: bool,
     estimated: bool,
-    look: Option<Look>,
+    robot_style: Option<RobotStyle>,
     /// Where there are many: on its curves and in the legend.
     letter: Option<char>,
 }
 
-impl Style<'_> {
+impl CurveStyle<'_> {
     fn colour(&self) -> &'static str {
-        self.look.map_or(OTHERS, |look| look.colour)
+        self.robot_style.map_or(OTHERS, |robot_style| robot_style.colour)
     }
 
     fn line(&self) -> String {
-        let (width, opacity) = match (self.look, self.estimated) {
+        let (width, opacity) = match (self.robot_style, self.estimated) {
             (None, _) => (1.0, 0.9),
             (Some(_), true) => (1.3, 0.75),
             (Some(_), false) => (2.4, 1.0),
@@ -75,15 +75,20 @@ impl Style<'_> {
     }
 
     fn mark(&self, canvas: &mut Canvas, at: Px) {
-        let Some(look) = self.look else { return };
-        let fill = if self.estimated { ESTIMATED } else { look.colour };
-        marks::mark(canvas, at, look.mark, &format!(r#"fill="{fill}" stroke="{}" stroke-width="1.2""#, look.colour));
+        let Some(robot_style) = self.robot_style else { return };
+        let fill = if self.estimated { ESTIMATED } else { robot_style.colour };
+        marks::mark(
+            canvas,
+            at,
+            robot_style.mark,
+            &format!(r#"fill="{fill}" stroke="{}" stroke-width="1.2""#, robot_style.colour),
+        );
     }
 
     fn entry(&self) -> Entry {
         let mark = if self.estimated { " ~" } else { "" };
         let letter = self.letter.map_or_else(String::new, |letter| format!("{letter}  "));
-        let own = Style { robot: "", ..*self };
+        let own = CurveStyle { robot: "", ..*self };
         Entry::new(format!("{letter}{}{mark}", self.robot), move |canvas, [x, y]| {
             canvas.line([x - 18.0, y], [x + 18.0, y], &own.line());
             own.mark(canvas, [x, y]);
@@ -119,16 +124,22 @@ pub(crate) fn svg(title: &str, panels: &[Panel], figure_size: &FigureSize) -> Re
     Ok(canvas.finish())
 }
 
-fn styles(panels: &[Panel]) -> Vec<Style<'_>> {
-    let mut styles: Vec<Style> = Vec::new();
+fn styles(panels: &[Panel]) -> Vec<CurveStyle<'_>> {
+    let mut styles: Vec<CurveStyle> = Vec::new();
     for curve in panels.iter().flat_map(|panel| &panel.curves) {
         if styles.iter().all(|style| style.robot != curve.robot) {
-            let Curve { robot, serial, estimated, look, .. } = curve;
-            styles.push(Style { robot, serial: *serial, estimated: *estimated, look: *look, letter: None });
+            let Curve { robot, serial, estimated, robot_style, .. } = curve;
+            styles.push(CurveStyle {
+                robot,
+                serial: *serial,
+                estimated: *estimated,
+                robot_style: *robot_style,
+                letter: None,
+            });
         }
     }
     if MOST_WITHOUT_LETTERS < styles.len() {
-        let told_apart = styles.iter_mut().filter(|style| style.look.is_some());
+        let told_apart = styles.iter_mut().filter(|style| style.robot_style.is_some());
         told_apart.zip('a'..='z').for_each(|(style, letter)| style.letter = Some(letter));
     }
     styles.sort_by_key(|style| !style.serial);
@@ -158,7 +169,7 @@ fn frame(panel: &Panel, scale: Option<[f64; 2]>, [left, bottom]: Px, [right, top
     }
 }
 
-fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], frame: &Frame) {
+fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[CurveStyle], frame: &Frame) {
     let [[left, bottom], [right, top]] = frame.corners();
     frame.grid(canvas);
     for &mark in panel.marks.iter().filter(|mark| frame.x.contains(**mark)) {
@@ -166,15 +177,15 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], frame: &Fram
         canvas.line([x, bottom], [x, top], &format!(r#"stroke="{GREY}" stroke-width="1" {ASKED}"#));
     }
     draw_tolerance(canvas, panel, frame);
-    let mut all: Vec<(&Curve, &Style, Vec<Px>)> = Vec::new();
+    let mut all: Vec<(&Curve, &CurveStyle, Vec<Px>)> = Vec::new();
     for curve in &panel.curves {
         let Some(style) = styles.iter().find(|style| style.robot == curve.robot) else { continue };
         let points = finite(curve).into_iter().map(|(size, value)| frame.at(size, value)).collect();
         all.push((curve, style, points));
     }
     // Those that are not told apart lie below.
-    all.sort_by_key(|(_, style, _)| style.look.is_some());
-    let mut spots = Spots::default();
+    all.sort_by_key(|(_, style, _)| style.robot_style.is_some());
+    let mut occupied = Occupied::default();
     canvas.clipped(&rect_path([left, bottom + 1.0], [right, top]), |canvas| {
         for (curve, style, points) in &all {
             canvas.told(style.robot, |canvas| canvas.path(&path(points, false), &style.line()));
@@ -185,22 +196,22 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], frame: &Fram
                 canvas.told(&format!("{}: {value:.3} mm at d {size:.3} m", style.robot), |canvas| {
                     style.mark(canvas, points[i]);
                 });
-                spots.take(&[points[i]; 2], 5.0);
+                occupied.take(&[points[i]; 2], 5.0);
             }
             if curve.is_complete && !points.is_empty() {
                 marks::cross(canvas, points[last], 4.5, &format!(r#"stroke="{}" stroke-width="2""#, style.colour()));
-                spots.take(&[points[last]; 2], 5.0);
+                occupied.take(&[points[last]; 2], 5.0);
             }
         }
     });
     let inside = [vec![[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]]];
     for (_, _, points) in &all {
-        spots.take(points, 2.0);
+        occupied.take(points, 2.0);
     }
     let shown = |at: &&Px| top <= at[1] && at[1] <= bottom;
     for (_, style, points) in &all {
         if let (Some(letter), Some(end)) = (style.letter, points.iter().rev().find(shown)) {
-            spots.beside(canvas, *end, &letter.to_string(), Font::new(12.0).bold(), &inside);
+            occupied.beside(canvas, *end, &letter.to_string(), Font::new(12.0).bold(), &inside);
         }
     }
     if panel.curves.iter().all(|curve| finite(curve).is_empty()) {
@@ -212,10 +223,10 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], frame: &Fram
 }
 
 /// Which points of a curve carry a mark: up to four, at other places than those of its neighbours.
-fn marked(points: &[Px], style: &Style) -> Vec<usize> {
+fn marked(points: &[Px], style: &CurveStyle) -> Vec<usize> {
     let every = points.len().div_ceil(4).max(1);
     let last = points.len().saturating_sub(1);
-    let own = style.look.map_or(0, |look| look.mark) * every / 6;
+    let own = style.robot_style.map_or(0, |robot_style| robot_style.mark) * every / 6;
     (0..points.len()).filter(|i| i % every == own && (*i < last || last == 0)).collect()
 }
 
@@ -234,12 +245,12 @@ fn draw_tolerance(canvas: &mut Canvas, panel: &Panel, frame: &Frame) {
 }
 
 /// The robots by architecture, then what the other signs mean; returns where it ends.
-fn draw_legends(canvas: &mut Canvas, panels: &[Panel], styles: &[Style], mut y: f64) -> f64 {
+fn draw_legends(canvas: &mut Canvas, panels: &[Panel], styles: &[CurveStyle], mut y: f64) -> f64 {
     for (serial, name) in [(true, "serial"), (false, "quasi-serial")] {
-        let told_apart = styles.iter().filter(|style| style.serial == serial && style.look.is_some());
-        let mut entries: Vec<Entry> = told_apart.map(Style::entry).collect();
-        let others: Vec<&Style> =
-            styles.iter().filter(|style| style.serial == serial && style.look.is_none()).collect();
+        let told_apart = styles.iter().filter(|style| style.serial == serial && style.robot_style.is_some());
+        let mut entries: Vec<Entry> = told_apart.map(CurveStyle::entry).collect();
+        let others: Vec<&CurveStyle> =
+            styles.iter().filter(|style| style.serial == serial && style.robot_style.is_none()).collect();
         if let Some(first) = others.first() {
             let names = if others.len() == 1 { first.robot.to_owned() } else { format!("{} others", others.len()) };
             entries.push(Entry::line(names, first.line()));
@@ -283,11 +294,11 @@ mod tests {
             robot: robot.into(),
             serial: robot.len().is_multiple_of(2),
             estimated: true,
-            look: robot
+            robot_style: robot
                 .len()
                 .checked_rem(3)
                 .filter(|mark| *mark != 0)
-                .map(|mark| Look { colour: stiffarm::palette::RATIOS[0], mark }),
+                .map(|mark| RobotStyle { colour: stiffarm::palette::RATIOS[0], mark }),
             points: points.to_vec(),
             is_complete: robot == "short",
         }

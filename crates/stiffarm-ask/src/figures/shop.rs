@@ -1,6 +1,6 @@
 //! Where the work must stand, as a shop drawing has it: from the side and, below it, from above, with lengths in mm.
 
-use crate::answer::{Dimension, Siting};
+use crate::answer::{Dimension, Layout};
 use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, PROSE, ZONE};
 
 use super::FigureSize;
@@ -24,7 +24,7 @@ const SHORTEST: f64 = 3.0;
 /// A zone at its place with its lengths.
 pub(crate) struct ShopFigure<'a> {
     /// What is drawn.
-    pub siting: &'a Siting,
+    pub layout: &'a Layout,
     /// What was asked of the figure.
     pub figure_size: FigureSize,
 }
@@ -65,8 +65,8 @@ impl ShopFigure<'_> {
         self.tell_work(&mut canvas, &scale);
         self.draw_side(&mut canvas, &scale, top);
         self.draw_above(&mut canvas, &scale);
-        let of = |axis: usize| self.siting.dimensions.iter().filter(move |one| one.axis == axis).enumerate();
-        let from = scale.across(self.siting.extent(0)[1]);
+        let of = |axis: usize| self.layout.dimensions.iter().filter(move |one| one.axis == axis).enumerate();
+        let from = scale.across(self.layout.extent(0)[1]);
         let column = |i: usize| scale.right + FIRST + 1.6 * STEP * i as f64;
         let mut texts = Vec::new();
         for (i, one) in of(2) {
@@ -88,9 +88,9 @@ impl ShopFigure<'_> {
     }
 
     fn scale(&self, width: f64, top: f64) -> Scale {
-        let Siting { foot, floor, .. } = self.siting;
+        let Layout { foot, floor, .. } = self.layout;
         let with_origin = |axis: usize| {
-            let ([low, high], origin) = (self.siting.extent(axis), self.siting.centre[axis]);
+            let ([low, high], origin) = (self.layout.extent(axis), self.layout.centre[axis]);
             [low.min(origin), high.max(origin)]
         };
         let [x, y, z] = [0, 1, 2].map(with_origin);
@@ -113,17 +113,17 @@ impl ShopFigure<'_> {
 
     /// Says where the work lies from above, and its origin.
     fn tell_work(&self, canvas: &mut Canvas, scale: &Scale) {
-        let [[x0, x1], [y0, y1]] = [0, 1].map(|axis| self.siting.extent(axis));
+        let [[x0, x1], [y0, y1]] = [0, 1].map(|axis| self.layout.extent(axis));
         canvas.tell_box(
             "work",
             [scale.above([x0, y1, 0.0]), scale.above([x1, y0, 0.0])],
-            scale.above(self.siting.centre),
+            scale.above(self.layout.centre),
         );
     }
 
     /// Floor, foot, axis and zone from the right side of the robot.
     fn draw_side(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
-        let Siting { foot, floor, .. } = self.siting;
+        let Layout { foot, floor, .. } = self.layout;
         let ground = floor.unwrap_or(foot[2]);
         let level = scale.side([0.0, 0.0, ground])[1];
         canvas.rect(
@@ -148,10 +148,10 @@ impl ShopFigure<'_> {
 
     /// The zone, also where it is seen as a line, or the cuts of a path.
     fn draw_work(&self, canvas: &mut Canvas, at: impl Fn([f64; 3]) -> Px) {
-        let is_closed = self.siting.is_closed;
+        let is_closed = self.layout.is_closed;
         let fill = if is_closed { format!(r#"fill="{ZONE}" fill-opacity="0.14""#) } else { r#"fill="none""#.into() };
         let look = format!(r#"{fill} stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#);
-        for line in &self.siting.lines {
+        for line in &self.layout.lines {
             let points: Vec<Px> = line.iter().map(|&point| at(point)).collect();
             canvas.path(&path(&points, is_closed), &look);
         }
@@ -159,7 +159,7 @@ impl ShopFigure<'_> {
 
     /// Foot and zone from above.
     fn draw_above(&self, canvas: &mut Canvas, scale: &Scale) {
-        let [x, y] = scale.above(self.siting.foot);
+        let [x, y] = scale.above(self.layout.foot);
         canvas.circle(
             [x, y],
             FOOT / 2.0 * scale.per_metre,
@@ -170,13 +170,13 @@ impl ShopFigure<'_> {
         axis(canvas, [x, y - arm], [x, y + arm]);
         canvas.text([x + 6.0, y - FOOT / 2.0 * scale.per_metre - 9.0], "joint-1 axis", Font::new(12.0).colour(PROSE));
         self.draw_work(canvas, |at| scale.above(at));
-        if let Some([dx, dy, _]) = self.siting.x_axis {
-            let ([x, y], length) = (scale.above(self.siting.centre), X_AXIS);
+        if let Some([dx, dy, _]) = self.layout.x_axis {
+            let ([x, y], length) = (scale.above(self.layout.centre), X_AXIS);
             let end = [x + length * dx, y - length * dy];
             canvas.line([x, y], end, &format!(r#"stroke="{INK}" stroke-width="1.6""#));
             canvas.text([end[0] + 9.0 * dx, end[1] - 9.0 * dy], "x", Font::new(12.0).middle().halo());
         }
-        let centre = scale.above(self.siting.centre);
+        let centre = scale.above(self.layout.centre);
         for ends in [[[-5.0, 0.0], [5.0, 0.0]], [[0.0, -5.0], [0.0, 5.0]]] {
             let [from, to] = ends.map(|end: Px| [centre[0] + end[0], centre[1] + end[1]]);
             canvas.line(from, to, &format!(r#"stroke="{INK}" stroke-width="1""#));

@@ -6,7 +6,7 @@ use super::axes::{Axis, Frame, heading};
 use super::bands::{Bands, Colours, Field};
 use super::canvas::{Canvas, Font, Px, path, rect_path};
 use super::contour::{Grid, Node};
-use super::labels::Spots;
+use super::labels::Occupied;
 use super::legend::{Entry, Legend};
 use super::{FigureError, FigureSize};
 
@@ -171,10 +171,10 @@ fn draw_contours(
     };
     let at = |[i, j]: Node| frame.at(value(&panel.mus, i), value(&panel.sizes, j));
     let region = grid.smooth_outline();
-    let mut spots = Spots::default();
-    spots.take(&[[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]], 5.0);
-    spots.take(&placed(frame, best.iter().map(|&(size, mu)| (mu, size))), 5.0);
-    Field { grid, region: &region, bands, tolerance: None, at: &at }.draw(canvas, Font::new(11.5), &mut spots);
+    let mut occupied = Occupied::default();
+    occupied.take(&[[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]], 5.0);
+    occupied.take(&placed(frame, best.iter().map(|&(size, mu)| (mu, size))), 5.0);
+    Field { grid, region: &region, bands, tolerance: None, at: &at }.draw(canvas, Font::new(11.5), &mut occupied);
 }
 
 /// The best ratio over size.

@@ -70,7 +70,7 @@ async fn follow(workshop: Arc<Workshop>, place: Place, question: Question, lines
                     last = Some(far);
                 }
             }
-            // Dropping the work leaves its bench.
+            // Dropping the work leaves its worker.
             () = lines.closed() => return,
         }
     }

@@ -20,7 +20,7 @@ const LEAST_WAITING: usize = 8;
 /// Of one question; more share the cores anyway.
 const MOST_THREADS: usize = 16;
 
-/// How long somebody may wait: long questions have a line and benches of their own, so that short ones get to theirs however many there are.
+/// How long somebody may wait: long questions have a line and workers of their own, so that short ones get to theirs however many there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Patience {
     /// Until the time limit.
@@ -35,7 +35,7 @@ struct Lane {
     /// Places of both.
     line: Arc<Semaphore>,
     /// Places of those that work.
-    benches: Arc<Semaphore>,
+    workers: Arc<Semaphore>,
 }
 
 /// Where answers are computed.
@@ -53,7 +53,7 @@ pub(super) struct Workshop {
 pub(super) struct Place {
     #[expect(dead_code, reason = "held")]
     permit: OwnedSemaphorePermit,
-    benches: Arc<Semaphore>,
+    workers: Arc<Semaphore>,
 }
 
 /// Whoever holds this waits; once it is dropped nobody does.
@@ -67,12 +67,12 @@ impl Drop for Waits {
 }
 
 impl Workshop {
-    /// With so many benches of either kind, or one for each core.
+    /// With so many workers of either kind, or one for each core.
     pub(super) fn new(threads: Option<usize>) -> Self {
         let cores = threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
         let lane = || Lane {
             line: Arc::new(Semaphore::new(cores + (WAITING * cores).max(LEAST_WAITING))),
-            benches: Arc::new(Semaphore::new(cores)),
+            workers: Arc::new(Semaphore::new(cores)),
         };
         Self { short: lane(), long: lane(), idle: Mutex::default(), threads: cores.min(MOST_THREADS) }
     }
@@ -88,10 +88,10 @@ impl Workshop {
             Refused::new(StatusCode::SERVICE_UNAVAILABLE, why, "ask again in a moment")
         };
         let permit = Arc::clone(&lane.line).try_acquire_owned().map_err(full)?;
-        Ok(Place { permit, benches: Arc::clone(&lane.benches) })
+        Ok(Place { permit, workers: Arc::clone(&lane.workers) })
     }
 
-    /// Waits for a bench, and computes there. Whoever drops this leaves the line, and keeps the bench only until the work notices.
+    /// Waits for a worker, and computes there. Whoever drops this leaves the line, and keeps the worker only until the work notices.
     pub(super) async fn work<T: Send + 'static>(
         self: &Arc<Self>,
         place: Place,
@@ -100,10 +100,10 @@ impl Workshop {
     ) -> Result<T, Refused> {
         let _waits = Waits(Arc::clone(&client));
         let ending = |_| Refused::new(StatusCode::SERVICE_UNAVAILABLE, "the server is ending", "start it again");
-        let bench = Arc::clone(&place.benches).acquire_owned().await.map_err(ending)?;
+        let worker = Arc::clone(&place.workers).acquire_owned().await.map_err(ending)?;
         let shop = Arc::clone(self);
         let computed = task::spawn_blocking(move || {
-            let _held = (place, bench);
+            let _held = (place, worker);
             let pool = shop.pool()?;
             let found = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(client))));
             shop.idle.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
@@ -197,7 +197,7 @@ mod tests {
             let waiting: Vec<Place> = (0..LEAST_WAITING).map(|_| shop.line_up(Patience::Short).unwrap()).collect();
             assert_eq!(shop.line_up(Patience::Short).unwrap_err().status, StatusCode::SERVICE_UNAVAILABLE);
             let long = shop.line_up(Patience::Long).unwrap();
-            assert_eq!(shop.work(long, client(), |_| Ok(3)).await, Ok(3), "the others have benches of their own");
+            assert_eq!(shop.work(long, client(), |_| Ok(3)).await, Ok(3), "the others have workers of their own");
             drop(waiting);
             working.abort();
             ends.recv().unwrap();

@@ -76,6 +76,6 @@ pub(crate) fn picture(answer: &MillAnswer, asked: FigureSize, section: &mut Sect
 /// Where the part must stand; nothing where it stands nowhere, or the base is not known.
 pub(crate) fn site(answer: &MillAnswer) -> Option<Section> {
     answer.followed()?;
-    let siting = answer.siting()?;
-    Some(place::standing(&siting, &format!("{} along {}", answer.robot.full_name(), answer.path)))
+    let layout = answer.layout()?;
+    Some(place::standing(&layout, &format!("{} along {}", answer.robot.full_name(), answer.path)))
 }

@@ -1,6 +1,6 @@
 //! The report of `place`: one robot, one zone.
 
-use crate::answer::{Siting, Table};
+use crate::answer::{Layout, Table};
 use crate::request::Request;
 use stiffarm::model::ModelKind;
 
@@ -70,16 +70,16 @@ fn reached(found: &PlaceOutput, section: &mut Section) {
 /// Where the work must stand, as a shop drawing has it; nothing where it stands nowhere, or the base is not known.
 pub(crate) fn site(found: &PlaceOutput) -> Option<Section> {
     let answer = &found.answer;
-    let siting = answer.siting()?;
-    Some(standing(&siting, &format!("{} for {}", answer.robot.full_name(), answer.task.label)))
+    let layout = answer.layout()?;
+    Some(standing(&layout, &format!("{} for {}", answer.robot.full_name(), answer.task.label)))
 }
 
 /// The drawing, and what is measured in it.
-pub(crate) fn standing(siting: &Siting, what: &str) -> Section {
+pub(crate) fn standing(layout: &Layout, what: &str) -> Section {
     let mut section = Section::new("Where the work must stand");
-    let figure = ShopFigure { siting, figure_size: figure_size(FigureSize::default()) };
+    let figure = ShopFigure { layout, figure_size: figure_size(FigureSize::default()) };
     section
-        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", siting.origin));
-    section.table(Table::of_lines(siting.measured()));
+        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", layout.origin));
+    section.table(Table::of_lines(layout.measured()));
     section
 }

@@ -1,7 +1,7 @@
 //! Which lengths does a shop drawing have, each once?
 
 use super::super::words::fixed;
-use super::Siting;
+use super::Layout;
 
 /// A length on a drawing, along one axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,13 +29,13 @@ fn is_flat([low, high]: [f64; 2]) -> bool {
 }
 
 /// What heights count from, and its name.
-fn ground(siting: &Siting) -> (f64, &'static str) {
-    siting.floor.map_or((siting.foot[2], "base"), |floor| (floor, "floor"))
+fn ground(layout: &Layout) -> (f64, &'static str) {
+    layout.floor.map_or((layout.foot[2], "base"), |floor| (floor, "floor"))
 }
 
 /// Where the origin of a path or a part stands, and how far that reaches.
-pub(super) fn from_an_origin(siting: &Siting, origin: &str, whole: &str) -> Vec<Dimension> {
-    let ([x, y, z], [ahead, left, _], (floor, ground)) = (siting.centre, siting.foot, ground(siting));
+pub(super) fn from_an_origin(layout: &Layout, origin: &str, whole: &str) -> Vec<Dimension> {
+    let ([x, y, z], [ahead, left, _], (floor, ground)) = (layout.centre, layout.foot, ground(layout));
     let above = side(z - floor, ["above", "below"]);
     let mut told = vec![
         dimension(2, [floor, z], format!("height of {origin} {above} the {ground}")),
@@ -43,7 +43,7 @@ pub(super) fn from_an_origin(siting: &Siting, origin: &str, whole: &str) -> Vec<
         dimension(1, [left, y], format!("{origin} to the {} of the joint-1 axis", side(y - left, ["left", "right"]))),
     ];
     for (axis, way) in [(0, "ahead"), (1, "sideways"), (2, "upwards")] {
-        let ends = siting.extent(axis);
+        let ends = layout.extent(axis);
         if !is_flat(ends) {
             told.push(dimension(axis, ends, format!("extent of {whole} {way}")));
         }
@@ -52,11 +52,11 @@ pub(super) fn from_an_origin(siting: &Siting, origin: &str, whole: &str) -> Vec<
 }
 
 /// Where a zone stands.
-pub(super) fn of_a_zone(siting: &Siting) -> Vec<Dimension> {
-    let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
-    let (floor, ground) = ground(siting);
+pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
+    let [across, aside, up] = [0, 1, 2].map(|axis| layout.extent(axis));
+    let (floor, ground) = ground(layout);
     let above = |z: f64| side(z - floor, ["above", "below"]);
-    let beside = side(siting.centre[1] - siting.foot[1], ["left", "right"]);
+    let beside = side(layout.centre[1] - layout.foot[1], ["left", "right"]);
     let mut told = Vec::new();
     if is_flat(up) {
         told.push(dimension(2, [floor, up[0]], format!("height of the worked face {} the {ground}", above(up[0]))));
@@ -66,21 +66,21 @@ pub(super) fn of_a_zone(siting: &Siting) -> Vec<Dimension> {
     }
     told.push(dimension(
         0,
-        [siting.foot[0], across[0]],
-        format!("joint-1 axis to its near edge, {}", side(across[0] - siting.foot[0], ["ahead", "behind"])),
+        [layout.foot[0], across[0]],
+        format!("joint-1 axis to its near edge, {}", side(across[0] - layout.foot[0], ["ahead", "behind"])),
     ));
     if is_flat(across) {
         return told;
     }
     told.push(dimension(
         0,
-        [siting.foot[0], siting.centre[0]],
-        format!("joint-1 axis to its centre, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
+        [layout.foot[0], layout.centre[0]],
+        format!("joint-1 axis to its centre, {}", side(layout.centre[0] - layout.foot[0], ["ahead", "behind"])),
     ));
     told.push(dimension(0, across, "its extent ahead".into()));
     told.push(dimension(
         1,
-        [siting.foot[1], siting.centre[1]],
+        [layout.foot[1], layout.centre[1]],
         format!("its centre to the {beside} of the joint-1 axis"),
     ));
     if !is_flat(aside) {

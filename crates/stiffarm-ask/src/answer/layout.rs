@@ -27,7 +27,7 @@ const CORNERS: usize = 72;
 
 /// A zone, a part or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Siting {
+pub struct Layout {
     /// What lengths count from, such as `the base`.
     pub origin: &'static str,
     /// Where the joint-1 axis meets the foot of the robot.
@@ -50,7 +50,7 @@ pub struct Siting {
 
 impl PlaceAnswer {
     /// Where the zone or the part stands; `None` where it has no place, or nothing is known of the base.
-    pub fn siting(&self) -> Option<Siting> {
+    pub fn layout(&self) -> Option<Layout> {
         let best = self.best().filter(|_| self.robot.knows_base())?;
         let cell = self.options.cell;
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), best.space().map_or(0.0, |hold| hold.bearing));
@@ -65,7 +65,7 @@ impl PlaceAnswer {
         let [x, z] = best.centre;
         let centre = placed(Vector3::new(x, self.aside(best), z));
         let foot = cell.map_or([0.0; 3], |cell| cell.mount.cell_from_base.translation.vector.into());
-        let mut siting = Siting {
+        let mut layout = Layout {
             origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot,
             floor: cell.map(|_| 0.0),
@@ -82,12 +82,12 @@ impl PlaceAnswer {
                 bearing.map(|bearing| line("turned about the joint-1 axis", degrees(bearing)))
             },
         };
-        siting.dimensions = if is_part {
-            from_an_origin(&siting, "the middle of its underside", "the machined faces")
+        layout.dimensions = if is_part {
+            from_an_origin(&layout, "the middle of its underside", "the machined faces")
         } else {
-            of_a_zone(&siting)
+            of_a_zone(&layout)
         };
-        Some(siting)
+        Some(layout)
     }
 
     /// The zone may stand in one place only: its window is no larger than itself.
@@ -155,7 +155,7 @@ fn rim_of(placed: &FacePlacement) -> Vec<Vector3<f64>> {
 
 impl MillAnswer {
     /// Where the path stands, followed there or not; `None` where it has no place, or nothing is known of the base.
-    pub fn siting(&self) -> Option<Siting> {
+    pub fn layout(&self) -> Option<Layout> {
         let placement = self.placement.filter(|_| self.robot.knows_base())?;
         let cell = self.ground.cell;
         let cell_from_base = cell.map_or_else(Pose::identity, |cell| cell.mount.cell_from_base);
@@ -170,7 +170,7 @@ impl MillAnswer {
         };
         let cuts = self.stations.chunk_by(|one, next| !is_apart(one, next));
         let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
-        let mut siting = Siting {
+        let mut layout = Layout {
             origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot: cell_from_base.translation.vector.into(),
             floor: cell.map(|_| 0.0),
@@ -188,12 +188,12 @@ impl MillAnswer {
                 degrees(placement.yaw),
             )),
         };
-        siting.dimensions = from_an_origin(&siting, "the path's origin", "the path");
-        Some(siting)
+        layout.dimensions = from_an_origin(&layout, "the path's origin", "the path");
+        Some(layout)
     }
 }
 
-impl Siting {
+impl Layout {
     /// From where to where the zone goes along an axis, m.
     pub fn extent(&self, axis: usize) -> [f64; 2] {
         let along = || self.lines.iter().flatten().map(|point| point[axis]);
@@ -241,15 +241,15 @@ mod tests {
     #[test]
     fn a_zone_of_the_arm_plane_is_as_long_and_as_high_as_it_is() {
         let answer = placed("rect:0.4x0.6", ModelKind::Planar);
-        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
-        let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
+        let (best, layout) = (answer.best().unwrap(), answer.layout().unwrap());
+        let [across, aside, up] = [0, 1, 2].map(|axis| layout.extent(axis));
         // Its first side lies level, its second one stands.
         assert!(
             (across[0] - (best.centre[0] - 0.2)).abs() < 1e-12 && (across[1] - (best.centre[0] + 0.2)).abs() < 1e-12
         );
         assert!((up[0] - (best.centre[1] - 0.3)).abs() < 1e-12 && (up[1] - up[0] - 0.6).abs() < 1e-12);
         assert_eq!(aside[0], aside[1]);
-        assert_eq!(siting.measured()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
+        assert_eq!(layout.measured()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
     }
 
     #[test]
@@ -270,15 +270,15 @@ mod tests {
     #[test]
     fn a_level_zone_has_the_height_of_its_face_and_its_sides() {
         let answer = placed("rect:0.3x0.2", ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2)));
-        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
-        let told = siting.measured();
+        let (best, layout) = (answer.best().unwrap(), answer.layout().unwrap());
+        let told = layout.measured();
         assert!(told[0][0].starts_with("height of the worked face"), "{told:?}");
         assert_eq!(told[0][1], format!("{} mm", fixed(best.centre[1] * 1e3, 1)));
-        let sides: Vec<f64> = [0, 1].map(|axis| siting.extent(axis)).iter().map(|[low, high]| high - low).collect();
+        let sides: Vec<f64> = [0, 1].map(|axis| layout.extent(axis)).iter().map(|[low, high]| high - low).collect();
         // The area of a rectangle that is turned by a quarter or not at all.
         assert!((sides[0] * sides[1] - 0.06).abs() < 1e-9, "{sides:?}");
         let nearest = best.from_axis_1.unwrap();
-        let [near, _] = siting.extent(0);
+        let [near, _] = layout.extent(0);
         assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
     }
 
@@ -292,13 +292,13 @@ mod tests {
         let options = PlaceOptions::under(Load::PAPER);
         let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
         let answer = PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None };
-        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let (best, layout) = (answer.best().unwrap(), answer.layout().unwrap());
         let ([x, z], (s, c)) = (best.centre, best.angle.sin_cos());
         let at = |[u, v, w]: [f64; 3]| [x + c * u - s * v, s * u + c * v, z + w];
         let has = |rim: &[[f64; 3]], corner: [f64; 3]| {
             rim.iter().any(|found| (0..3).all(|i| (found[i] - at(corner)[i]).abs() < 1e-12))
         };
-        let [top, front] = siting.lines.as_slice() else { panic!("two faces: {:?}", siting.lines) };
+        let [top, front] = layout.lines.as_slice() else { panic!("two faces: {:?}", layout.lines) };
         for (u, v) in [(-0.2, -0.15), (-0.2, 0.15), (0.2, -0.15), (0.2, 0.15)] {
             assert!(has(top, [u, v, 0.1]), "{u} {v}: {top:?}");
         }
@@ -306,9 +306,9 @@ mod tests {
             assert!(has(front, [-0.2, v, w]), "{v} {w}: {front:?}");
         }
         assert!(
-            siting.is_closed && siting.x_axis.is_some_and(|axis| (axis[0] - c).abs() + (axis[1] - s).abs() < 1e-12)
+            layout.is_closed && layout.x_axis.is_some_and(|axis| (axis[0] - c).abs() + (axis[1] - s).abs() < 1e-12)
         );
-        let told = siting.measured();
+        let told = layout.measured();
         assert_eq!(told[0][0], "height of the middle of its underside above the base");
         assert_eq!([0, 1, 2].map(|i| told[i][1].clone()), [z, x, 0.0].map(|m| format!("{} mm", fixed(m * 1e3, 1))));
         assert_eq!(told[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
@@ -324,16 +324,16 @@ mod tests {
         let moves = "line:0.4".parse::<Builtin>().unwrap().moves(None);
         let robot = paper_robots().swap_remove(4);
         let answer = MillAnswer::of(&asked, &robot, ("line:0.4".into(), &moves), None, Watch::nobody()).unwrap();
-        let siting = answer.siting().unwrap();
+        let layout = answer.layout().unwrap();
         let (s, c) = 30_f64.to_radians().sin_cos();
         let near = |found: [f64; 3], expected: [f64; 3]| (0..3).all(|i| (found[i] - expected[i]).abs() < 1e-12);
-        assert!(near(siting.x_axis.unwrap(), [c, s, 0.0]));
-        let [line] = siting.lines.as_slice() else { panic!("one cut: {:?}", siting.lines) };
+        assert!(near(layout.x_axis.unwrap(), [c, s, 0.0]));
+        let [line] = layout.lines.as_slice() else { panic!("one cut: {:?}", layout.lines) };
         let [from, to] = [line[0], line[line.len() - 1]];
         let along: Vec<f64> = (0..3).map(|i| to[i] - from[i]).collect();
         assert!(near([along[0], along[1], along[2]], [0.4 * c, 0.4 * s, 0.0]), "{from:?} {to:?}");
         assert!(line.len() <= MOST_POINTS + 1);
-        let told = siting.measured();
+        let told = layout.measured();
         let length = |i: usize| told[i][1].as_str();
         assert_eq!([0, 1, 2].map(length), ["800.0 mm", "1700.0 mm", "300.0 mm"]);
         assert_eq!([3, 4].map(length), ["346.4 mm", "200.0 mm"], "0.4 m times cosine and sine");
