@@ -298,11 +298,11 @@ impl Scatter {
 
 /// By how much the compliances of two drives may be off together, in parts of them: means of `(f_i - 1) (f_j - 1)` over the factors f. Of drives that
 /// were identified by their covariance; of others by what scatters, and where nothing is told of that as drives of any robot do.
-pub(crate) fn doubt(robot: &Robot) -> Matrix6<f64> {
+pub(crate) fn covariance(robot: &Robot) -> Matrix6<f64> {
     let (_, of_any) = of_size(1.0, 1.0);
     let ln = robot.scatter().unwrap_or(&of_any).covariance();
     // Of log-normal factors about their median.
-    let mut doubt = Matrix6::from_fn(|i, j| {
+    let mut covariance = Matrix6::from_fn(|i, j| {
         let [a, b] = [ln[(i, i)] / 2.0, ln[(j, j)] / 2.0];
         (a + b + ln[(i, j)]).exp() - a.exp() - b.exp() + 1.0
     });
@@ -311,15 +311,15 @@ pub(crate) fn doubt(robot: &Robot) -> Matrix6<f64> {
         let is_told = |i: usize| identified.drives[i] || 0.0 < identified.covariance[(i, i)];
         for i in 0..6 {
             for j in 0..6 {
-                doubt[(i, j)] = match (is_told(i), is_told(j)) {
+                covariance[(i, j)] = match (is_told(i), is_told(j)) {
                     (true, true) if 0.0 < k[i] * k[j] => identified.covariance[(i, j)] / (k[i] * k[j]),
-                    (false, false) => doubt[(i, j)],
+                    (false, false) => covariance[(i, j)],
                     _ => 0.0,
                 };
             }
         }
     }
-    doubt
+    covariance
 }
 
 /// Factors on compliances of which is only said that their logarithms are off by so much, as a standard deviation, each drive on its own.

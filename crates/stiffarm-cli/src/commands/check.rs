@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 use stiffarm::catalogue::files::{self, Loaded};
-use stiffarm::catalogue::{Fault, doubts};
+use stiffarm::catalogue::{Fault, warnings};
 use stiffarm::robot::Robot;
 use stiffarm_ask::answer::{Cell, Rows, Table, columns_of, field};
 use stiffarm_ask::ask::AskError;
@@ -30,12 +30,12 @@ pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
     }
     for Checked { file, found } in &checked {
         match found {
-            Ok(Found { notes, doubts, .. }) => {
+            Ok(Found { notes, warnings, .. }) => {
                 for note in notes.iter().filter(|_| !common.quiet) {
                     say(&format!("note: {file}: {note}"));
                 }
-                for doubt in doubts {
-                    say(&format!("warning: {file}: {doubt}"));
+                for warning in warnings {
+                    say(&format!("warning: {file}: {warning}"));
                 }
             }
             Err(failure) => say(&failure.to_string()),
@@ -61,13 +61,13 @@ struct Checked {
 struct Found {
     robot: Robot,
     notes: Vec<String>,
-    doubts: Vec<String>,
+    warnings: Vec<String>,
 }
 
 impl Checked {
     fn of(path: &Path, common: &Common) -> Self {
         let found = common.sources.robot(path);
-        let found = found.map(|Loaded { robot, notes }| Found { doubts: doubts(&robot), robot, notes });
+        let found = found.map(|Loaded { robot, notes }| Found { warnings: warnings(&robot), robot, notes });
         Self { file: files::shown(path), found }
     }
 
@@ -84,8 +84,8 @@ impl Checked {
         }
     }
 
-    fn doubts(&self) -> &[String] {
-        self.found.as_ref().map_or(&[], |found| &found.doubts)
+    fn warnings(&self) -> &[String] {
+        self.found.as_ref().map_or(&[], |found| &found.warnings)
     }
 }
 
@@ -117,13 +117,13 @@ impl Answer for Check {
                 "usable": checked.found.is_ok(),
                 "robot": checked.robot(),
                 "faults": faults.collect::<Value>(),
-                "doubts": checked.doubts(),
+                "doubts": checked.warnings(),
             })
         });
         each.collect()
     }
 
-    /// A row per fault or doubt; one without for a file that has none.
+    /// A row per fault or warning; one without for a file that has none.
     fn rows(&self) -> Rows<'_> {
         let columns = [field::FILE, field::USABLE, field::ROBOT, field::LINE, field::KEY, field::MESSAGE];
         let mut rows = Vec::new();
@@ -144,10 +144,10 @@ impl Answer for Check {
                 let line = if *line == 0 { Cell::Absent } else { Cell::Count(*line as i64) };
                 row(line, Cell::Text(key.clone()), Cell::Text(message.clone()));
             }
-            for doubt in checked.doubts() {
-                row(Cell::Absent, Cell::Absent, Cell::Text(doubt.clone()));
+            for warning in checked.warnings() {
+                row(Cell::Absent, Cell::Absent, Cell::Text(warning.clone()));
             }
-            if faults.is_empty() && checked.doubts().is_empty() {
+            if faults.is_empty() && checked.warnings().is_empty() {
                 row(Cell::Absent, Cell::Absent, Cell::Absent);
             }
         }

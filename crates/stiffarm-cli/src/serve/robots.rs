@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 use stiffarm::catalogue::files::{LoadError, load_text};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
-use stiffarm::catalogue::{Fault, Faults, doubts};
+use stiffarm::catalogue::{Fault, Faults, warnings};
 use stiffarm::robot::Robot;
 use stiffarm_ask::answer::robot::sheet;
 use stiffarm_ask::forms::{Answer, Form};
@@ -113,7 +113,7 @@ fn verdict(name: &str, text: &str) -> Value {
 
 fn usable(robot: &Robot, notes: &[String], made: Option<String>) -> Value {
     let toml = made.unwrap_or_else(|| stiffarm::catalogue::write(robot));
-    json!({ "robot": sheet(robot), "notes": notes, "doubts": doubts(robot), "toml": toml, "hint": null, "faults": [] })
+    json!({ "robot": sheet(robot), "notes": notes, "doubts": warnings(robot), "toml": toml, "hint": null, "faults": [] })
 }
 
 fn unusable(faults: &Faults) -> Value {

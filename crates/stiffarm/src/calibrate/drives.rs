@@ -2,7 +2,7 @@
 
 use crate::chain::{FRAMES, Frames, Weighing};
 use crate::identify::Updated;
-use crate::prior::{by_size, doubt};
+use crate::prior::{by_size, covariance};
 use crate::robot::{Arm, Robot};
 
 /// A normal law of the logarithm of each drive's compliance.
@@ -23,8 +23,8 @@ impl DrivesPrior {
             let Ok((median, scatter)) = by_size(robot) else { return None };
             return Some(Self { median, sd: scatter.total() });
         }
-        let doubt = doubt(robot);
-        Some(Self { median: drives.compliance.0, sd: std::array::from_fn(|i| doubt[(i, i)].ln_1p().sqrt()) })
+        let covariance = covariance(robot);
+        Some(Self { median: drives.compliance.0, sd: std::array::from_fn(|i| covariance[(i, i)].ln_1p().sqrt()) })
     }
 
     /// The arm with its masses, where they are known.

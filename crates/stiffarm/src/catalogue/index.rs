@@ -143,7 +143,7 @@ fn pieces(name: &str) -> Vec<(String, u64)> {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::super::{doubts, paper_robots, robots};
+    use super::super::{paper_robots, robots, warnings};
     use super::*;
     use crate::robot::{Arm, Status};
 
@@ -246,10 +246,10 @@ mod tests {
             assert!(ahead, "{name} does not reach ahead");
             let listed = include_str!("../../robots/README.md").lines();
             let row = listed.into_iter().find(|line| line.starts_with(&format!("| {} |", robot.full_name())));
-            let about_reach = doubts(&robot).into_iter().filter(|doubt| doubt.starts_with("reach_m")).count();
+            let about_reach = warnings(&robot).into_iter().filter(|warning| warning.starts_with("reach_m")).count();
             match row {
                 None => {
-                    let found = doubts(&robot);
+                    let found = warnings(&robot);
                     assert!(robot.payload_kg.is_none() || found.is_empty(), "{name}: {found:?}");
                 }
                 Some(row) => {

@@ -2,7 +2,6 @@
 
 mod bodies;
 pub(crate) mod cells;
-mod doubts;
 mod fault;
 pub mod files;
 mod filter;
@@ -16,9 +15,9 @@ mod reader;
 pub mod readings;
 mod robot_file;
 pub mod stl;
+mod warnings;
 mod write;
 
-pub use doubts::doubts;
 pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
@@ -26,6 +25,7 @@ pub use process_file::{Material, ProcessFile, materials, read_process, read_proc
 pub(crate) use reader::shown;
 pub use robot_file::is_date;
 pub use robot_file::read;
+pub use warnings::warnings;
 pub use write::write;
 pub use write::{microradians, quoted};
 

@@ -28,7 +28,7 @@ use crate::compliance::{PostureError, check_tool};
 use crate::drive::JointCompliance;
 use crate::identify::columns_at;
 use crate::interval::Interval;
-use crate::prior::doubt;
+use crate::prior::covariance;
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::watch::{Parts, Stopped, Watch};
@@ -321,9 +321,11 @@ fn predicted(robot: &Robot, work: &[[f64; 6]], tool: &Vector3<f64>) -> Result<Ma
 
 /// What the prior leaves open of the drives that are not among these: `W_ij S_ij`, whose sum is the variance of the prediction, (m/N)^2; zero for the others.
 fn left_open(robot: &Robot, weight: &Matrix6<f64>, shown: &[usize]) -> Matrix6<f64> {
-    let (doubt, k) = (doubt(robot), robot.drive_compliance().map(|k| k.unwrap_or(0.0)));
+    let (covariance, k) = (covariance(robot), robot.drive_compliance().map(|k| k.unwrap_or(0.0)));
     let is_open = |drive: usize| !shown.contains(&drive);
-    Matrix6::from_fn(|i, j| if is_open(i) && is_open(j) { weight[(i, j)] * k[i] * k[j] * doubt[(i, j)] } else { 0.0 })
+    Matrix6::from_fn(
+        |i, j| if is_open(i) && is_open(j) { weight[(i, j)] * k[i] * k[j] * covariance[(i, j)] } else { 0.0 },
+    )
 }
 
 /// In which direction a load turns a drive most so that a marker moves, over some of the postures; `None` where none does.

@@ -9,20 +9,20 @@ const REACH_MAY_DIFFER: f64 = 0.01;
 const SHORT: f64 = 5e-3;
 
 /// Remarks on a robot that can be used, each a sentence that names its key.
-pub fn doubts(robot: &Robot) -> Vec<String> {
-    let mut doubts = Vec::new();
+pub fn warnings(robot: &Robot) -> Vec<String> {
+    let mut warnings = Vec::new();
     if robot.payload_kg.is_none() {
-        doubts.push("payload_kg is missing: no choice by payload will find this robot".into());
+        warnings.push("payload_kg is missing: no choice by payload will find this robot".into());
     }
     if let Arm::SixAxis { geometry, .. } = &robot.arm {
         let lengths =
             [("a1", geometry.a1), ("a2", geometry.a2), ("b", geometry.b), ("c1", geometry.c1), ("c4", geometry.c4)];
         for (name, m) in lengths.into_iter().filter(|(_, m)| *m != 0.0 && m.abs() < SHORT) {
             let mm = (m * 1e9).round() / 1e6;
-            doubts.push(format!("{name}_mm is {mm} mm: is that the unit? if it is in m, write {}", mm * 1e3));
+            warnings.push(format!("{name}_mm is {mm} mm: is that the unit? if it is in m, write {}", mm * 1e3));
         }
     }
-    doubts.extend(robot.reach.and_then(|reach| match robot.reach_ahead() {
+    warnings.extend(robot.reach.and_then(|reach| match robot.reach_ahead() {
         Ok(ahead) if (reach - ahead).abs() <= REACH_MAY_DIFFER => None,
         Ok(ahead) => {
             let (off, stretch) = (1e3 * (ahead - reach), robot.stretch());
@@ -34,7 +34,7 @@ pub fn doubts(robot: &Robot) -> Vec<String> {
         }
         Err(error) => Some(format!("reach_m cannot be compared: {error}")),
     }));
-    doubts
+    warnings
 }
 
 #[cfg(test)]
@@ -46,7 +46,7 @@ mod tests {
     fn a_reach_more_than_a_centimetre_off_is_doubted_and_less_is_not() {
         let kuka = &paper_robots()[4]; // a1 + l2 + l3 = 0.350 + 1.150 + 1.2007 = 2.7007 m
         assert!((kuka.stretch() - 2.7007).abs() < 1e-4);
-        let with = |reach| doubts(&Robot { reach: Some(reach), ..kuka.clone() });
+        let with = |reach| warnings(&Robot { reach: Some(reach), ..kuka.clone() });
         assert_eq!(with(2.687), Vec::<String>::new());
         assert_eq!(with(2.706), Vec::<String>::new());
         assert!(with(2.685)[0].contains("comes 2.696 m ahead of the joint-1 axis, +11 mm off"), "{:?}", with(2.685));
@@ -55,12 +55,12 @@ mod tests {
         let mut upright = kuka.clone();
         let Arm::SixAxis { limits, .. } = &mut upright.arm else { unreachable!("six axes") };
         limits.joints[1] = crate::interval::Interval::spanning(-140_f64.to_radians(), -90_f64.to_radians());
-        assert!(doubts(&upright)[0].contains("comes 1.551 m ahead"), "{:?}", doubts(&upright));
+        assert!(warnings(&upright)[0].contains("comes 1.551 m ahead"), "{:?}", warnings(&upright));
         let Arm::SixAxis { geometry, limits, drives } = kuka.arm.clone() else { unreachable!("six axes") };
         let geometry = crate::geometry::Geometry { b: -0.0015, ..geometry };
-        let offset = doubts(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });
+        let offset = warnings(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });
         assert_eq!(offset, ["b_mm is -1.5 mm: is that the unit? if it is in m, write -1500"]);
         let silent = Robot { reach: None, payload_kg: None, ..kuka.clone() };
-        assert!(doubts(&silent).len() == 1 && doubts(&silent)[0].starts_with("payload_kg is missing"));
+        assert!(warnings(&silent).len() == 1 && warnings(&silent)[0].starts_with("payload_kg is missing"));
     }
 }
