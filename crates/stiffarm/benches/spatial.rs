@@ -1,9 +1,10 @@
 //! The six-axis kernels, one thread; the peers are in `peers/` and `rs-opw-kinematics`.
 
+use std::f64::consts::PI;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use rs_opw_kinematics::glam::{DQuat, DVec3};
 use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
@@ -11,10 +12,14 @@ use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::batch::SpatialArm;
 use stiffarm::catalogue::{find, paper_robots};
 use stiffarm::geometry::Geometry;
+use stiffarm::load::Load;
 use stiffarm::mass::RigidBody;
+use stiffarm::model::ModelKind;
 use stiffarm::modes::{HeldTool, SwingingArm};
+use stiffarm::place::{PlaceOptions, Stance, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
+use stiffarm::task::Zone;
 
 const COUNT: usize = 100_000;
 
@@ -77,6 +82,46 @@ fn modes(c: &mut Criterion) {
     group.finish();
 }
 
+/// The best place of a zone: with its proof, and without one as whoever has the kernel alone would look for it, on a grid. Poses on the edge of the
+/// zone, each in its stiffest posture, at places 0.1 m and rolls 10 deg apart.
+fn places(c: &mut Criterion) {
+    let robot = find("BT200L").expect("in the catalogue").robot();
+    let tool = Pose::translation(0.0, 0.0, 0.25);
+    let [ahead, across] = [0.8, 0.5];
+    let zone = Zone::Rectangle { width: ahead, height: across };
+    let model = ModelKind::Spatial(tool).of(&robot).expect("a six-axis robot");
+    let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(Load::PAPER) };
+    let mut group = c.benchmark_group("place_in_space");
+    group.sample_size(10);
+    group.bench_function("with_proof", |b| b.iter(|| place(&model, black_box(zone), &options)));
+    let arm = SpatialArm::new(&robot, &tool).expect("a six-axis robot");
+    let edge: Vec<[f64; 2]> = (0..4)
+        .flat_map(|n| {
+            let t = f64::from(n) / 4.0 - 0.5;
+            [
+                [t * ahead, -across / 2.0],
+                [ahead / 2.0, t * across],
+                [-t * ahead, across / 2.0],
+                [-ahead / 2.0, -t * across],
+            ]
+        })
+        .collect();
+    let worst_at = |x: f64, z: f64, roll: f64| {
+        let down = Pose::from_parts(Vector3::new(x, 0.0, z).into(), UnitQuaternion::from_euler_angles(PI, 0.0, roll));
+        let poses: Vec<Pose> = edge.iter().map(|&[u, v]| Pose::translation(u, v, 0.0) * down).collect();
+        arm.best(&poses).into_iter().map(|best| best.map_or(f64::INFINITY, |best| best.worst)).fold(0.0, f64::max)
+    };
+    let grid = || {
+        let places =
+            (5..30).flat_map(|x| (0..25).flat_map(move |z| (-18..18).map(move |roll| [x, z, roll].map(f64::from))));
+        places
+            .map(|[x, z, roll]| worst_at(x / 10.0, z / 10.0, (10.0 * roll).to_radians()))
+            .fold(f64::INFINITY, f64::min)
+    };
+    group.bench_function("grid_without_proof", |b| b.iter(|| black_box(grid())));
+    group.finish();
+}
+
 /// The arm in rs-opw-kinematics, which counts joints by the same formula.
 fn opw(geometry: &Geometry) -> OPWKinematics {
     let Geometry { a1, a2, b, c1, c2, c3, c4, offset, sign } = geometry.clone();
@@ -94,5 +139,5 @@ fn one_thread() -> Criterion {
     Criterion::default()
 }
 
-criterion_group! { name = spatial; config = one_thread(); targets = postures, poses, modes }
+criterion_group! { name = spatial; config = one_thread(); targets = postures, poses, modes, places }
 criterion_main!(spatial);
