@@ -12,7 +12,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 use stiffarm::plain::on_one_line;
 
-use crate::answer::{Lead, Rows, Table};
+use crate::answer::{Headline, Lead, Rows, Table};
 use crate::error::AskError;
 use crate::exports;
 use crate::figures::FigureSize;
@@ -84,6 +84,11 @@ pub trait Answer {
 
     /// For spreadsheets, and as typed columns for data frames.
     fn rows(&self) -> Rows<'_>;
+
+    /// In a word and a few sentences, where a report begins with it.
+    fn headline(&self) -> Option<Headline> {
+        None
+    }
 
     /// What was asked to hold and does not: why.
     fn shortfall(&self) -> Option<String> {
@@ -360,9 +365,9 @@ impl Form {
         FORMS.iter().find(|row| row.form == self).expect("every form has a row")
     }
 
-    /// The form of a word.
+    /// The form of a word, or of the whole ending of a file: `shop`, `shop.svg`.
     pub fn of_word(word: &str) -> Option<Self> {
-        FORMS.iter().find(|row| row.word == word).map(|row| row.form)
+        FORMS.iter().find(|row| row.word == word || row.endings.contains(&word)).map(|row| row.form)
     }
 
     /// How its file is called that begins like this.
@@ -425,14 +430,12 @@ impl Forms {
             Some(before) if ending.starts_with(['.', '-']) => !before.is_empty(),
             Some(before) => before.is_empty() || before.ends_with('.'),
         };
-        let said = |row: &'static FormRow| {
-            let longest = row.endings.iter().filter(|ending| is_said(ending)).map(|ending| ending.len()).max();
-            longest.map(|length| (length, row.form))
-        };
-        // What people read comes as a file of that name from nowhere but a server, and a view that there is not is no report.
-        let meant = FORMS.iter().filter(|row| row.form != Form::Tables).filter_map(said);
-        let (_, form) =
-            meant.filter(|(_, form)| *form == Form::View || self.has(*form)).max_by_key(|(length, _)| *length)?;
+        let longest =
+            |row: &FormRow| row.endings.iter().filter(|ending| is_said(ending)).map(|ending| ending.len()).max();
+        // What people read is a file of that name from nowhere but a server, and a view that there is not is no report.
+        let is_meant = |row: &&FormRow| row.form != Form::Tables && (row.form == Form::View || self.has(row.form));
+        let said = FORMS.iter().filter(is_meant).filter_map(|row| Some((longest(row)?, row.form)));
+        let (_, form) = said.max_by_key(|(length, _)| *length)?;
         self.has(form).then_some(form)
     }
 
@@ -498,6 +501,11 @@ mod tests {
         assert_eq!(form(few, "shop.svg"), Some(Form::Svg(Picture::Figure)));
         assert_eq!((form(few, "a.html"), form(few, "a.view.html")), (Some(Form::Report), None));
         let view = Forms { command: "view", makes: &[Makes::View] };
+        assert_eq!(
+            (Form::of_word("shop"), Form::of_word("shop.svg")),
+            (Some(Form::Svg(Picture::Shop)), Form::of_word("shop"))
+        );
+        assert_eq!((Form::of_word("html"), Form::of_word(".svg")), (None, Form::of_word("svg")));
         assert_eq!((form(view, "a.html"), form(view, "report.pdf")), (Some(Form::View), None));
     }
 

@@ -163,8 +163,8 @@ fn cuts_that_are_not_covered_and_robots_without_masses_are_refused_with_what_to_
     let drill = drill.to_str().expect("a path");
     refused(&[&["chatter", drill], ARM, FEED], "drill.toml: chatter of drilling is not covered");
     refused(&[&["chatter", PROCESS], ARM, &["--feed", "0,0,-1"]], "chatter of a plunge is not covered");
-    refused(&[&["chatter", PROCESS], ARM, &["--feed", "0,0,0"]], "expected three finite numbers, not all 0");
-    refused(&[&["chatter", PROCESS], ARM, FEED, &["--damping-ratio", "0"]], "has no damping");
+    refused(&[&["chatter", PROCESS], ARM, &["--feed", "0,0,0"]], "--feed is 0,0,0; expected a direction");
+    refused(&[&["chatter", PROCESS], ARM, FEED, &["--damping-ratio", "0"]], "--damping-ratio");
     refused(&[&["chatter", PROCESS], ARM], "--feed");
     let bare: &[&str] = &["--robot", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,90,0"];
     refused(&[&["chatter", PROCESS], bare, FEED], "no masses in the robot file");

@@ -152,8 +152,16 @@ impl CalibrateAnswer {
 
     /// What every level leaves.
     pub fn table(&self) -> Table {
-        let mut table =
-            Table::new(["level", "rms mm", "median", "95 %", "largest", "left out rms", "shown", "log evidence"]);
+        let mut table = Table::new([
+            "level",
+            "rms [mm]",
+            "median [mm]",
+            "95 % [mm]",
+            "largest [mm]",
+            "left out rms [mm]",
+            "shown",
+            "log evidence",
+        ]);
         for fit in &self.found.levels {
             let mm = |m: f64| fixed(Unit::Millimetre.told(m), 3);
             table.row([

@@ -60,9 +60,12 @@ impl Request {
     /// What is asked of a cut that may swing, with what was measured at its tip.
     ///
     /// # Errors
-    /// Where the feed is missing.
+    /// Where the feed is missing, or none.
     pub fn chatter<'a>(&self, measured: Option<&'a MeasuredTip>) -> Result<Asked<'a>, Refusal> {
         let feed: [f64; 3] = self.all(opt::FEED).try_into().map_err(|_| self.missing(opt::FEED))?;
+        if feed == [0.0; 3] {
+            return Err(self.refused(opt::FEED, "is 0,0,0; expected a direction, such as 1,0,0".into()));
+        }
         Ok(Asked { feed, damping: self.damping(), method: self.get(opt::METHOD), measured })
     }
 

@@ -66,7 +66,7 @@ pub enum Unsupported {
     #[error("free is searched; at one place give degrees, 0 has the first side ahead")]
     FreeAtOnePlace,
     /// The same of a wall.
-    #[error("a range is searched; at one place give one angle, such as 0..0")]
+    #[error("a range is searched; at one place give one angle, such as 0")]
     YawAtOnePlace,
     /// A figure needs a range with a width.
     #[error("both ends are the same; expected such as 0..5")]

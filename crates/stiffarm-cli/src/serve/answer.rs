@@ -7,7 +7,7 @@ use std::sync::Arc;
 use hyper::StatusCode;
 use serde_json::{Map, Value, json};
 use stiffarm_ask::ask::{ask, forms};
-use stiffarm_ask::forms::{Answer, Form, Picture};
+use stiffarm_ask::forms::{Answer, FORMS, Form, Forms, Picture};
 use stiffarm_ask::request::{Request, job};
 
 use super::form::Wanted;
@@ -15,7 +15,7 @@ use super::question::Question;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::failure::Failure;
-use crate::output::{unknown, write_as};
+use crate::output::write_as;
 
 /// An answer of more bytes is refused.
 const MOST_BYTES: usize = 64 << 20;
@@ -52,9 +52,16 @@ fn check(asked: &Request, form: Form) -> Result<(), Refused> {
         Form::Report | Form::PrintedReport => "report; rank, place, mill, modes, identify and calibrate do",
         Form::Svg(Picture::Shop) => "shop drawing; place and mill do",
         Form::Svg(Picture::Lobes) => "figure of lobes beside its own; mill does",
-        _ => return Err(unknown(forms, Path::new(&form.file(asked.verb.function()))).into()),
+        _ => return Err(without(verb, forms, form)),
     };
     Err(Failure::usage(format!("{verb} makes no {what}")).into())
+}
+
+/// An answer has no such form, but others.
+pub(super) fn without(verb: &str, forms: Forms, form: Form) -> Refused {
+    let words: Vec<&str> = FORMS.iter().filter(|row| forms.has(row.form)).map(|row| row.word).collect();
+    let why = format!("{verb} has no form {}; expected one of {}", form.row().word, words.join(", "));
+    Failure::usage(why).into()
 }
 
 /// Every form under its word, null where it is refused, and why in `refused`: a path that is not followed has its table and no figure.

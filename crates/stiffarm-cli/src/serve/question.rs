@@ -7,7 +7,7 @@ use hyper::StatusCode;
 use percent_encoding::percent_decode_str;
 use serde_json::{Map, Value};
 use stiffarm::plain::on_one_line;
-use stiffarm_ask::forms::Form;
+use stiffarm_ask::forms::{FORMS, Form};
 use stiffarm_ask::request::{Request, Spelling, Verb, sent};
 
 use super::bounds;
@@ -121,21 +121,20 @@ pub(super) fn decoded(text: &str) -> Result<String, Refused> {
 
 /// The forms that an address asks for, and nothing besides.
 pub(super) fn wanted_of(text: Option<&str>) -> Result<Wanted, Refused> {
-    let wrong = |why: String| {
-        Refused::new(
-            StatusCode::BAD_REQUEST,
-            why,
-            "?as=json, csv, md, txt, tables, svg, png, pdf, shop, lobes, view, report, report-pdf, job or command; several texts of one answer: ?as=json,tables,svg",
-        )
-    };
-    let mut wanted = Wanted::One(Form::Json);
+    let words: Vec<&str> = FORMS.iter().map(|row| row.word).collect();
+    let hint = format!("?as={}, job or command; several texts of one answer: ?as=json,tables,svg", words.join(", "));
+    let wrong = |why: String| Refused::new(StatusCode::BAD_REQUEST, why, &hint);
+    let mut wanted = None;
     for (name, value) in query(text)? {
         if name != "as" {
             return Err(wrong(format!("'{}' is nothing that an address asks here", on_one_line(&name))));
         }
-        wanted = Wanted::of(&value).map_err(wrong)?;
+        if wanted.is_some() {
+            return Err(wrong("'as' is given twice".into()));
+        }
+        wanted = Some(Wanted::of(&value).map_err(wrong)?);
     }
-    Ok(wanted)
+    Ok(wanted.unwrap_or(Wanted::One(Form::Json)))
 }
 
 /// The one form that an address asks for.

@@ -13,7 +13,7 @@ use stiffarm_ask::forms::{Answer, Form};
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
 use super::Server;
-use super::answer::written;
+use super::answer::{without, written};
 use super::question::{check_name, decoded, form_of, object, query, unlike};
 use super::reply::{Refused, Reply, json_reply, keep_as, reply};
 use super::route::computed;
@@ -23,7 +23,6 @@ use stiffarm_ask::ask::robots::answer;
 use crate::commands::robots::sheet_of;
 use crate::common::Common;
 use crate::failure::Failure;
-use crate::output::unknown;
 use stiffarm_ask::sources::Sources;
 
 /// As `robots list`: `text` has words of the names, `as` the form, all else is an option.
@@ -66,11 +65,7 @@ async fn delivered(
 
 /// A form, where the answer has it.
 fn written_of(told: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
-    if told.forms().has(form) {
-        written(told, form)
-    } else {
-        Err(unknown(told.forms(), Path::new(&form.file("robots"))).into())
-    }
+    if told.forms().has(form) { written(told, form) } else { Err(without(told.forms().command, told.forms(), form)) }
 }
 
 /// What the checker says of `{"name": .., "text": ..}`.

@@ -195,8 +195,11 @@ fn several_forms_come_of_one_answer() {
     // What a verb never makes is refused as what it cannot make this time; alone before anything is computed.
     let map = json!({ "options": { "robot": "BT200L", "size": 10 } });
     let several = served.ask("/api/map?as=tables,shop,toml,report", &map).json();
-    for (form, why) in [("shop", "map makes no shop drawing"), ("toml", "map.toml"), ("report", "map makes no report")]
-    {
+    for (form, why) in [
+        ("shop", "map makes no shop drawing"),
+        ("toml", "map has no form toml; expected one of svg, png,"),
+        ("report", "map makes no report"),
+    ] {
         let alone = served.ask(&format!("/api/map?as={form}"), &map);
         assert_eq!((alone.status, &several[form]), (400, &Value::Null));
         assert_eq!(several["refused"][form], alone.json());

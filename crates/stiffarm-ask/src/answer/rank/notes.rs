@@ -85,8 +85,9 @@ impl RankAnswer {
             return String::new();
         }
         let (of, least) = (rows.len(), held.ceil());
+        let what = if self.options.tool_weight.is_some() { "tool and force" } else { "this force" };
         format!(
-            "{count} of {of} robots are sold for less than this force ({held:.0} kg), and the 1 urad/(N m) that is assumed on every drive is that of \
+            "{count} of {of} robots are sold for less than {what} ({held:.0} kg), and the 1 urad/(N m) that is assumed on every drive is that of \
              heavy robots: --payload-kg {least}.. leaves them out\n"
         )
     }

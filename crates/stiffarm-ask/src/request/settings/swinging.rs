@@ -111,7 +111,13 @@ pub(super) const ROWS: &[Setting] = &[
         ..HELD
     }),
     Setting { verbs: MODES, excludes: &["task"], ..DAMPING },
-    Setting { verbs: &[Verb::Chatter, Verb::Mill], needs: &[(Verb::Mill, "chatter")], ..DAMPING },
+    Setting {
+        verbs: &[Verb::Chatter, Verb::Mill],
+        // What is not damped swings at every depth.
+        kind: number_of(1e-4, 1.0, "of critical damping"),
+        needs: &[(Verb::Mill, "chatter")],
+        ..DAMPING
+    },
     opt::COUNT.row(Setting {
         verbs: MODES,
         kind: Kind::Whole { min: 1, max: 6 },
