@@ -90,6 +90,10 @@ impl<'a> Outputs<'a> {
             }
         }
         if !common.quiet {
+            // A file that machines read is no reason not to know what the answer is.
+            if let (false, true, Some(headline)) = (is_printed, failures.is_empty(), answer.headline()) {
+                say(&format!("{}: {}", headline.outcome.word(), headline.sentences.join(" ")));
+            }
             for path in written {
                 say(&format!("wrote {}", path.display()));
             }
@@ -116,12 +120,8 @@ pub(crate) fn verdict(delivered: Result<(), Failure>, holds: Result<(), Failure>
 /// # Errors
 /// Where it does not, with the endings of those that it makes.
 pub(crate) fn known(forms: Forms, path: &Path) -> Result<Form, Failure> {
-    forms.form(path).ok_or_else(|| unknown(forms, path))
-}
-
-/// There is no such form, but others.
-pub(crate) fn unknown(forms: Forms, path: &Path) -> Failure {
-    Failure::Ending { command: forms.command, path: path.into(), expected: forms.endings() }
+    let unknown = || Failure::Ending { command: forms.command, path: path.into(), expected: forms.endings() };
+    forms.form(path).ok_or_else(unknown)
 }
 
 /// Writes a form that the answer has.

@@ -45,7 +45,24 @@ fn both_are_what_place_tells_of_each_and_their_ratio() {
     let line = |name: &str| table.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or(name).to_owned();
     assert!(line("worst deflection [mm]").contains(&format!("{:.4}", value("a"))), "{table}");
     assert!(line("worst deflection [mm]").contains(&format!("{:.4}", value("b"))), "{table}");
-    assert!(line("by what is proved").contains("certainly better"), "{table}");
+    assert!(line("proved (drives as told)").contains("better"), "{table}");
+    // Of drives that are assumed nobody knows how they may be off; of these the intervals overlap, and the one who is ahead is no sure choice.
+    assert_eq!(both["win_probability"], Value::Null);
+    assert!(
+        both["summary"][0].as_str().unwrap().starts_with("At the stiffness told A (KUKA KR 210 R2700 extra) is better")
+    );
+    let scattered = [&["compare", "KR 210 R2700 extra", "BT200L", "--stiffness", "prior"], &asked[..]].concat();
+    let scattered = json(folder.path(), &scattered);
+    let shares = [0, 1].map(|side| scattered["win_probability"][side].as_f64().unwrap());
+    assert!((shares[0] + shares[1] - 1.0).abs() < 1e-9 && (0.05..0.95).contains(&shares[0]), "{shares:?}");
+    let told = scattered["summary"][0].as_str().unwrap();
+    assert!(told.contains("they tie") && scattered["told_apart"] == true, "{told}");
+    // The shares are those in which a ranking of the two has each win.
+    let ranked = ["rank", "--robots", "KR 210 R2700 extra,BT200L", "--stiffness", "prior", "--task", "B:0.3"];
+    for row in json(folder.path(), &[&ranked[..], &["--within", "0..,0.."]].concat())["rows"].as_array().unwrap() {
+        let side = usize::from(row["robot"] == "BT200L");
+        assert_eq!(row["win_probability"][0], shares[side], "{row}");
+    }
     assert!(line("largest force").contains(" N"), "{table}");
     assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
     let (_, csv, _) =

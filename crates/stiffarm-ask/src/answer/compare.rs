@@ -2,11 +2,13 @@
 
 use serde_json::{Value, json};
 
+use super::verdict::{SURE, percent};
 use super::words::{self, degrees, fixed};
 use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, stiffness, with_schema};
 use stiffarm::model::ModelKind;
 use stiffarm::place::{Placed, Placement};
 use stiffarm::rank::may_be_as_good;
+use stiffarm::uncertainty::{DRAWS, drawn};
 
 /// What the two are called, in JSON and where there is little room.
 pub const NAMES: [&str; 2] = ["a", "b"];
@@ -72,7 +74,7 @@ impl CompareAnswer {
         (0.0 < a).then_some(b / a)
     }
 
-    /// Which is certainly better: its value lies below the other's proved bound, or it is proved that the other has no place.
+    /// Which is better, the drives taken as they are told: its value lies below the other's proved bound, or it is proved that the other has no place.
     pub fn better(&self) -> Option<usize> {
         let is_worse = |worse: usize, better: usize| {
             let Some(found) = self.sides[better].best() else { return false };
@@ -85,6 +87,20 @@ impl CompareAnswer {
             }
         };
         [(1, 0), (0, 1)].into_iter().find(|&(worse, better)| is_worse(worse, better)).map(|(_, better)| better)
+    }
+
+    /// In which share of the draws of their drives each gives way least; `None` where nothing says how far the drives of both may be off, or
+    /// they are asked different things.
+    pub fn chances(&self) -> Option<[f64; 2]> {
+        if self.differ_in().iter().any(|what| ["force", "task"].contains(what)) {
+            return None;
+        }
+        let draws = |side: &PlaceAnswer| drawn(&side.robot, side.options.load, side.best()?);
+        let [a, b] = self.sides.each_ref().map(draws);
+        let (a, b) = (a?, b?);
+        let is_less = a.iter().zip(&b).filter(|(a, b)| a < b).count() as f64 / a.len() as f64;
+        let is_more = a.iter().zip(&b).filter(|(a, b)| b < a).count() as f64 / a.len() as f64;
+        Some([is_less, is_more])
     }
 
     /// What is not the same of both besides the answer.
@@ -116,6 +132,7 @@ impl CompareAnswer {
             .put(field::SETUP_RATIO, self.ratio())
             .put(field::TOLD_APART, better.is_some())
             .put(field::BETTER_SETUP, better.map(|side| NAMES[side]))
+            .put(field::WIN_PROBABILITY, json!(self.chances()))
             .put(field::DIFFERENT, json!(self.differ_in()))
             .put(field::SUMMARY, json!(self.sentences()));
         record
@@ -166,12 +183,14 @@ impl CompareAnswer {
         row("deflection over that of A", [self.ratio().map(|_| "1".into()), self.ratio().map(|ratio| fixed(ratio, 3))]);
         let standing = |side: usize| match self.better() {
             None => Some("cannot be told apart".to_owned()),
-            Some(better) if better == side => Some("certainly better".into()),
-            Some(_) => Some("certainly worse".into()),
+            Some(better) if better == side => Some("better".into()),
+            Some(_) => Some("worse".into()),
         };
         if self.best().iter().any(Option::is_some) {
-            row("by what is proved", [standing(0), standing(1)]);
+            row("proved (drives as told)", [standing(0), standing(1)]);
         }
+        let share = |side: usize| self.chances().map(|chances| format!("{} of {DRAWS}", percent(chances[side])));
+        row("stiffer (drives drawn)", [share(0), share(1)]);
         table
     }
 
@@ -182,12 +201,20 @@ impl CompareAnswer {
         let mut sentences = vec![match (self.better(), self.ratio()) {
             (Some(better), Some(ratio)) => {
                 let times = if better == 0 { ratio } else { 1.0 / ratio };
-                format!(
-                    "{} is certainly better: {} gives way {} times as far.",
-                    called(better),
-                    called(1 - better),
-                    fixed(times, 3)
-                )
+                let told = format!("{} gives way {} times as far", called(1 - better), fixed(times, 3));
+                match self.chances().map(|chances| chances[better]) {
+                    Some(share) if SURE <= share => format!(
+                        "{} is better: {told}, which is proved at the stiffness told, and it is stiffer in {} of the draws of the drives.",
+                        called(better),
+                        percent(share)
+                    ),
+                    Some(share) => format!(
+                        "At the stiffness told {} is better, which is proved: {told}. By what is known of the drives they tie: it is stiffer in {} of the draws.",
+                        called(better),
+                        percent(share)
+                    ),
+                    None => format!("At the stiffness told {} is better, which is proved: {told}.", called(better)),
+                }
             }
             (Some(better), None) => {
                 format!("{} is better: it is proved that {} has no place.", called(better), called(1 - better))

@@ -83,7 +83,7 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
-        lines.extend(payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).lines());
+        lines.extend(self.carried().lines());
         if !words::component(options.load).is_empty() {
             lines.push(line("what counts", format!("the deflection {}", words::component(options.load))));
         }
@@ -159,17 +159,31 @@ impl PlaceAnswer {
         told.collect::<Vec<_>>().join("; ")
     }
 
-    /// Why the answer is no, where it is: there is no place, or the tolerance is not held.
+    /// Why the answer is no, where it is: there is no place, the arm collides there, it carries more than it may, or the tolerance is not held.
     pub fn shortfall(&self) -> Option<String> {
         let Self { robot, task, placed, tolerance_mm, .. } = self;
-        match placed {
-            Placed::Infeasible { reason, .. } => Some(format!("{}: no place for {}: {reason}", robot.name, task.label)),
-            Placed::Feasible(best) => tolerance_mm.and_then(|tolerance| {
-                let told = fixed(best.deflection * 1e3, 4);
-                let fails = !Verdict::of(best.deflection, tolerance).passes;
-                fails.then(|| format!("{}: {told} mm on {}, tolerance {tolerance} mm", robot.name, task.label))
-            }),
+        let best = match placed {
+            Placed::Infeasible { reason, .. } => {
+                return Some(format!("{}: no place for {}: {reason}", robot.name, task.label));
+            }
+            Placed::Feasible(best) => best,
+        };
+        if let Some(clearance) = self.clearance().filter(|_| best.collides_in_space()) {
+            let [name, says] = words::clearance(&clearance);
+            return Some(format!("{}: {name}, {says}", robot.name));
         }
+        if let Some(exceeded) = self.carried().exceeded() {
+            return Some(format!("{}: {exceeded}", robot.name));
+        }
+        let tolerance = (*tolerance_mm)?;
+        let fails = !Verdict::of(best.deflection, tolerance).passes;
+        let told = fixed(best.deflection * 1e3, 4);
+        fails.then(|| format!("{}: {told} mm on {}, tolerance {tolerance} mm", robot.name, task.label))
+    }
+
+    /// What the robot must hold.
+    pub(super) fn carried(&self) -> payload::Carried {
+        payload::FlangeLoad::of(self.options.tool_weight, &self.model, self.options.load.newtons()).by(&self.robot)
     }
 
     /// Where a picture of the plane straight ahead of the answer shows that the zone may stand, m from the base.

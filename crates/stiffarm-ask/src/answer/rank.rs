@@ -15,7 +15,7 @@ use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, 
 use stiffarm::advice::Advice;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
-use stiffarm::place::{Margins, PlaceOptions};
+use stiffarm::place::{Margins, PlaceOptions, Placement};
 use stiffarm::rank::{Rank, Ranking, Row};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::uncertainty::{Chances, Spread, chances_of, drawn_in};
@@ -198,7 +198,7 @@ impl RankAnswer {
         headings.extend(tasks.iter().map(|task| task.label.clone()));
         let places: Vec<String> = match tasks.as_slice() {
             [_] => ["x [m]", "z [m]", "margin [deg]"].map(Into::into).into(),
-            several => several.iter().map(|task| format!("{} at", task.label)).collect(),
+            several => several.iter().map(|task| format!("{} at [m, deg]", task.label)).collect(),
         };
         let is_several = 1 < tasks.len();
         let mut spare = vec!["bound", "mean ratio"];
@@ -266,7 +266,9 @@ impl RankAnswer {
             (false, false) => "",
         };
         let verdict = self.verdict(at, task).map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
-        format!("{}{mark}{verdict}", fixed(deflection * 1e3, 3))
+        let collides = row.placement(task).is_some_and(Placement::collides_in_space);
+        let loud = if collides { " COLLISION" } else { "" };
+        format!("{}{mark}{verdict}{loud}", fixed(deflection * 1e3, 3))
     }
 
     /// What stands above the table.

@@ -47,6 +47,11 @@ impl Verdict {
         self.passes && self.probability.is_some_and(|probability| SURE <= probability)
     }
 
+    /// It is held nominally, and more likely missed than held.
+    pub fn is_rather_missed(self) -> bool {
+        self.passes && self.probability.is_some_and(|probability| probability < 0.5)
+    }
+
     /// `pass`, `pass, not sure` or `fail`.
     pub fn word(self) -> &'static str {
         match (self.passes, self.is_sure()) {

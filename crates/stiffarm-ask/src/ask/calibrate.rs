@@ -5,7 +5,7 @@ use stiffarm::calibrate::calibrate;
 
 use super::context::{Context, readings_of};
 use super::reports::{self, Inputs};
-use crate::answer::{CalibrateAnswer, Rows};
+use crate::answer::{CalibrateAnswer, Headline, Rows};
 use crate::date::today;
 use crate::error::AskError;
 use crate::figures::{FigureSize, calibrate as figure};
@@ -70,6 +70,10 @@ impl Answer for CalibrateOutput<'_> {
 
     fn svg(&self) -> Option<Result<String, AskError>> {
         Some(Ok(figure::svg(&self.answer, &self.figure_size)))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

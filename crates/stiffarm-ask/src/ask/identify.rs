@@ -1,6 +1,6 @@
 //! `stiffarm identify`: measured deflections to a robot file that says how well it is known.
 
-use crate::answer::{IdentifyAnswer, Rows};
+use crate::answer::{Headline, IdentifyAnswer, Rows};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::catalogue::measurements;
@@ -60,6 +60,10 @@ impl Answer for IdentifyOutput<'_> {
 
     fn svg(&self) -> Option<Result<String, AskError>> {
         Some(Ok(figure::svg(&self.answer, &self.figure_size)))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

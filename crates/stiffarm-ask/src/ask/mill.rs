@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use crate::answer::{MillAnswer, Rows, Unit};
+use crate::answer::{Headline, MillAnswer, Rows, Unit};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::catalogue::files;
@@ -220,6 +220,10 @@ impl Answer for MillOutput<'_> {
         };
         let worst = self.answer.chatter.as_ref().and_then(|told| told.worst.as_ref());
         Some(worst.map(|(_, found)| lobes::svg(found, &self.figure_size)).ok_or_else(nothing))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

@@ -1,6 +1,6 @@
 //! `stiffarm modes`: how the arm swings at one posture.
 
-use crate::answer::{ModesAnswer, Rows};
+use crate::answer::{Headline, ModesAnswer, Rows};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::modes::modes;
@@ -52,6 +52,10 @@ impl Answer for ModesOutput<'_> {
 
     fn svg(&self) -> Option<Result<String, AskError>> {
         Some(Ok(swinging::svg(&self.answer, &self.figure_size)))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

@@ -6,7 +6,7 @@ use stiffarm::place::{Placed, place_task_watched};
 
 use super::context::Context;
 use super::reports::{self, Inputs};
-use crate::answer::{ModesOverAnswer, Rows};
+use crate::answer::{Headline, ModesOverAnswer, Rows};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Makes, Piece};
 use crate::report::Report;
@@ -54,6 +54,10 @@ impl Answer for ModesOverOutput<'_> {
 
     fn rows(&self) -> Rows<'_> {
         self.answer.rows()
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

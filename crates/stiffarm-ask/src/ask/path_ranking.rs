@@ -1,6 +1,6 @@
 //! Several robots on a toolpath, as text, table, JSON and bars.
 
-use crate::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, stiffnesses, styles, words};
+use crate::answer::{Headline, MillAnswer, PathRankAnswer, Rows, Unit, Verdict, stiffnesses, styles, words};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::drive::Architecture;
@@ -110,6 +110,10 @@ impl Answer for PathRankOutput<'_> {
 
     fn svg(&self) -> Option<Result<String, AskError>> {
         Some(Ok(self.figure(self.figure_size)))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

@@ -1,7 +1,7 @@
 //! `stiffarm place`: the best place of one zone.
 
 use crate::answer::words::{class, direction, tool};
-use crate::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
+use crate::answer::{Headline, MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use crate::request::Request;
 use serde_json::{Value, json};
 use stiffarm::advice::advise;
@@ -322,6 +322,10 @@ impl Answer for PlaceOutput {
         };
         let drawn = |layout| ShopFigure { layout: &layout, figure_size: self.figure_size }.svg();
         Some(self.answer.layout().map(drawn).ok_or_else(nothing))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

@@ -1,6 +1,6 @@
 //! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
 
-use crate::answer::{self, RankAnswer, Rows, Unit, Verdict, stiffnesses, styles, words};
+use crate::answer::{self, Headline, RankAnswer, Rows, Unit, Verdict, stiffnesses, styles, words};
 use crate::request::{Request, distinct};
 use serde_json::Value;
 use std::cell::OnceCell;
@@ -240,6 +240,10 @@ impl Answer for RankOutput<'_> {
             return Some(Ok(svg.clone()));
         }
         Some(self.figure(self.figure_size).map(|svg| self.svg.get_or_init(|| svg).clone()))
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

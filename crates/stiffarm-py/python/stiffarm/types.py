@@ -1767,6 +1767,10 @@ class ComparisonDict(TypedDict):
     better: str | None
     """Which of the two is certainly better, a or b; null where they cannot be told apart."""
 
+    win_probability: list[float] | None
+    """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing
+    says how its drives may be."""
+
     differ_in: list[str]
     """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
     place."""

@@ -161,7 +161,13 @@ pub(crate) fn maps() -> Vec<Value> {
 pub(crate) fn comparisons() -> Vec<Value> {
     let of = |first: Typed, second: Typed| CompareAnswer { sides: [placed(&kuka(), first), placed(&kuka(), second)] };
     let (fits, too_large) = ([("task", "B:0.3")], [("task", "A:9")]);
-    vec![of(&fits, &fits).json(), of(&fits, &too_large).json(), of(&fits, &[("task", "B:0.6")]).json()]
+    let scattered = [("task", "B:0.3"), ("stiffness", "prior")];
+    vec![
+        of(&fits, &fits).json(),
+        of(&fits, &too_large).json(),
+        of(&fits, &[("task", "B:0.6")]).json(),
+        of(&scattered, &scattered).json(),
+    ]
 }
 
 pub(crate) fn studies() -> Vec<Value> {

@@ -4,7 +4,7 @@ use super::super::MillAnswer;
 use super::super::verdict::{HOLDS, Verdict};
 use super::super::words::fixed;
 use super::place::sentence;
-use super::{Headline, Outcome, judged, means, mm, rests_on, scattered};
+use super::{Headline, Outcome, judged, means, mm, proviso, rests_on, scattered};
 use stiffarm::mill::Followed;
 
 impl MillAnswer {
@@ -51,7 +51,8 @@ impl MillAnswer {
             ("does not hold", -verdict.margin_mm, "more")
         };
         let mut told = vec![format!(
-            "{name} {word} {tolerance} mm along {path}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
+            "{name} {word} {tolerance} mm along {path}{}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
+            proviso(verdict),
             fixed(margin, 4)
         )];
         if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
@@ -71,7 +72,10 @@ impl MillAnswer {
         }
         told.push(scattered(verdict, self.spread(), &self.robot));
         told.extend(self.left(Some(tolerance)));
-        (judged(verdict), told)
+        let geometry = self.geometry_exceeds(tolerance).filter(|_| verdict.passes);
+        let outcome = if geometry.is_some() { Outcome::PassesPerhaps } else { judged(verdict) };
+        told.extend(geometry);
+        (outcome, told)
     }
 
     /// What compensation leaves, where it was asked for.

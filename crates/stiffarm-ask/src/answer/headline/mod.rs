@@ -123,6 +123,11 @@ fn judged(verdict: Verdict) -> Outcome {
     }
 }
 
+/// What a sentence about a tolerance that passes adds where the deflection more likely lies above it than below.
+fn proviso(verdict: Verdict) -> &'static str {
+    if verdict.is_rather_missed() { ", at the stiffness told; it more likely misses it" } else { "" }
+}
+
 /// How likely the tolerance is held, where the value lies, and what to do about it.
 fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String {
     let Some((probability, Spread { p05, p95 })) = verdict.probability.zip(spread) else {

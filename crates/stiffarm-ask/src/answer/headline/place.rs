@@ -1,10 +1,9 @@
 //! The best place of one zone in a few sentences.
 
 use super::super::PlaceAnswer;
-use super::super::payload::FlangeLoad;
 use super::super::verdict::{HOLDS, Verdict};
 use super::super::words::{self, fixed};
-use super::{Headline, Outcome, judged, means, mm, rests_on, scattered};
+use super::{Headline, Outcome, judged, means, mm, proviso, rests_on, scattered};
 use stiffarm::place::{Placed, Placement};
 
 impl PlaceAnswer {
@@ -21,8 +20,7 @@ impl PlaceAnswer {
         };
         let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force: {}.", words::load(self.options.load, &self.model)));
-        let held = FlangeLoad::of(self.options.tool_weight, &self.model, self.options.load.newtons());
-        rests_on.extend(held.by(&self.robot).sentences());
+        rests_on.extend(self.carried().sentences());
         rests_on.extend(self.notes().lines().filter(|line| *line != HOLDS).map(sentence));
         Headline { outcome, sentences, rests_on }
     }
@@ -35,11 +33,13 @@ impl PlaceAnswer {
             let proof = (!self.is_at_one_place()).then(|| proved(best));
             return self
                 .colliding(best)
+                .or_else(|| self.overloaded())
                 .unwrap_or((Outcome::Told, [Some(told), proof].into_iter().flatten().collect()));
         };
         let mut sentences = vec![if verdict.passes {
             format!(
-                "{name} holds {tolerance} mm on {label}: {value} at worst {stands}, {} mm less than is allowed.",
+                "{name} holds {tolerance} mm on {label}{}: {value} at worst {stands}, {} mm less than is allowed.",
+                proviso(verdict),
                 fixed(verdict.margin_mm, 4)
             )
         } else {
@@ -57,7 +57,7 @@ impl PlaceAnswer {
             });
         }
         sentences.push(scattered(verdict, self.known().map(|known| known.spread), &self.robot));
-        match self.colliding(best) {
+        match self.colliding(best).or_else(|| self.overloaded()) {
             Some((outcome, mut told)) => {
                 told.extend(sentences);
                 (outcome, told)
@@ -74,6 +74,12 @@ impl PlaceAnswer {
             Outcome::Collides,
             vec![format!("{name} of {} {}: {says}.", self.robot.full_name(), self.where_it_stands())],
         ))
+    }
+
+    /// More than the robot may carry.
+    fn overloaded(&self) -> Option<(Outcome, Vec<String>)> {
+        let exceeded = self.carried().exceeded()?;
+        Some((Outcome::Overloaded, vec![format!("{} may not carry this: {exceeded}.", self.robot.full_name())]))
     }
 }
 

@@ -151,6 +151,15 @@ impl MillAnswer {
         self.drawn_error().map_or_else(String::new, told)
     }
 
+    /// The geometry errs by more than a tolerance that the deflection keeps, mm: that verdict is of the deflection alone.
+    pub(in crate::answer) fn geometry_exceeds(&self, tolerance_mm: f64) -> Option<String> {
+        let found = self.drawn_error().filter(|found| tolerance_mm < found.median * 1e3)?;
+        Some(format!(
+            "The geometry of this arm, which was not calibrated, errs by {} mm (median) besides, more than the tolerance: `stiffarm calibrate` finds it.",
+            fixed(found.median * 1e3, 2)
+        ))
+    }
+
     /// What of it stands in the head of a program.
     pub(super) fn arm_remarks(&self) -> Vec<String> {
         let (Some(found), Some(known)) = (self.on_true_arm(), &self.robot.calibration) else { return Vec::new() };

@@ -258,15 +258,21 @@ impl MillAnswer {
         if let Some(why) = self.chatter_shortfall() {
             return Some(format!("{}: {why}", self.robot.name));
         }
-        let (found, tolerance) = (self.followed()?, self.tolerance_mm?);
-        let fails = !Verdict::of(found.worst.0, tolerance).passes;
+        let found = self.followed()?;
+        if let Some(exceeded) = self.carried().exceeded() {
+            return Some(format!("{}: {exceeded}", self.robot.name));
+        }
+        let tolerance = self.tolerance_mm?;
+        // Who compensates sends a program in which that is left; where nobody knows how much that is, the model says it.
+        let (error, what) = match &self.compensation {
+            None => (found.worst.0, ""),
+            Some(Compensation { remaining: Some((left, _)), .. }) => (left.median, " left after compensation"),
+            Some(Compensation { done, .. }) => (done.by_joints, " left after compensation, by the model"),
+        };
+        let fails = !Verdict::of(error, tolerance).passes;
         fails.then(|| {
-            format!(
-                "{}: {} mm along {}, tolerance {tolerance} mm",
-                self.robot.name,
-                fixed(found.worst.0 * 1e3, 4),
-                self.path
-            )
+            let told = fixed(error * 1e3, 4);
+            format!("{}: {told} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.path)
         })
     }
 }

@@ -176,7 +176,12 @@ impl MillAnswer {
         lines.extend(self.clearance_lines());
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
-            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm", verdict.told())));
+            let alone = if verdict.passes && self.geometry_exceeds(tolerance).is_some() {
+                "; of the deflection alone: the geometry errs by more (besides)"
+            } else {
+                ""
+            };
+            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.told())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
                     self.stations.iter().zip(&found.samples).filter(|(_, pushed)| tolerance < pushed.error * 1e3);
@@ -213,7 +218,9 @@ impl MillAnswer {
                 let verdict =
                     self.tolerance_mm.and_then(|tolerance| Some((tolerance, compensation.verdict(tolerance)?)));
                 lines.extend(verdict.map(|(tolerance, verdict)| {
-                    line("tolerance, compensated", format!("{tolerance} mm: {}", verdict.told()))
+                    let is_alone = verdict.passes && self.geometry_exceeds(tolerance).is_some();
+                    let alone = if is_alone { "; of the deflection alone" } else { "" };
+                    line("tolerance, compensated", format!("{tolerance} mm: {}{alone}", verdict.told()))
                 }));
             }
             None => lines.push(line(

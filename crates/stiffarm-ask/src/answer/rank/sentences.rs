@@ -1,6 +1,7 @@
 //! What a manager would read of a ranking, and why there is no advice where there is none.
 
 use super::super::advice;
+use super::super::place::clearance;
 use super::super::stiffness;
 use super::super::uncertainty;
 use super::super::verdict::{Verdict, percent};
@@ -33,15 +34,37 @@ impl RankAnswer {
     pub fn shortfall(&self) -> Option<String> {
         let holds =
             |deflection: f64| self.tolerance_mm.is_none_or(|tolerance| Verdict::of(deflection, tolerance).passes);
-        let does =
-            |row: &&Row| row.rank.is_some() && (0..row.cells.len()).all(|task| row.deflection(task).is_some_and(holds));
+        let holds_all = |row: &Row| (0..row.cells.len()).all(|task| row.deflection(task).is_some_and(holds));
+        let does = |row: &&Row| row.rank.is_some() && holds_all(row) && self.why_not_at_all(row).is_none();
         if self.ranking.rows.iter().any(|row| does(&row)) {
             return None;
         }
         Some(match self.tolerance_mm {
-            Some(tolerance) => format!("no robot of published geometry holds {tolerance} mm on every task"),
-            None => "no robot of published geometry has a place for every task".into(),
+            Some(tolerance) => {
+                format!("no robot of published geometry holds {tolerance} mm on every task{}", self.clearly())
+            }
+            None => format!("no robot of published geometry has a place for every task{}", self.clearly()),
         })
+    }
+
+    /// Why a robot is not to be taken whatever its deflections: its arm collides, or it carries more than it may.
+    fn why_not_at_all(&self, row: &Row) -> Option<&'static str> {
+        let collides = |task: usize| row.placement(task).is_some_and(Placement::collides_in_space);
+        if (0..row.cells.len()).any(collides) {
+            return Some("COLLISION");
+        }
+        self.carried(&row.robot).is_exceeded().then_some("OVERLOADED")
+    }
+
+    /// What a robot must do besides, where some robot does not.
+    fn clearly(&self) -> &'static str {
+        let any = |word: &str| self.ranking.rows.iter().any(|row| self.why_not_at_all(row) == Some(word));
+        match (any("COLLISION"), any("OVERLOADED")) {
+            (false, false) => "",
+            (true, false) => ", keeps clear",
+            (false, true) => ", carries tool and force",
+            (true, true) => ", keeps clear, carries tool and force",
+        }
     }
 
     /// The tasks of each robot that `pick` names for a task, in the order in which robots are named first.
@@ -76,11 +99,12 @@ impl RankAnswer {
             winners.iter().map(of).collect::<Vec<_>>().join("; ")
         };
         let under = self.under(winners.iter().map(|(row, _)| &row.robot));
-        let collides = |row: &Row, task: usize| row.placement(task).is_some_and(Placement::collides_in_space);
-        if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| collides(row, task))) {
+        let collisions = self.collisions(&winners);
+        if !collisions.is_empty() {
             return format!(
-                "{under} the least deflection is that of {}; but an arm collides there, so no robot is advised.",
-                list(&winners)
+                "{under} the least deflection is that of {}; but an arm collides there, so no robot is advised ({}). --clearance-mm 0 asks for places that keep clear.",
+                list(&winners),
+                collisions.join("; ")
             );
         }
         let fails = |row: &Row, task: usize| {
@@ -90,6 +114,14 @@ impl RankAnswer {
         if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| fails(row, task))) {
             return format!(
                 "{under} the least deflection is that of {}; it does not keep the tolerance everywhere, so no robot is advised.",
+                list(&winners)
+            );
+        }
+        let is_rather_missed =
+            |row: &Row, task: usize| self.verdict_of(row, task).is_some_and(Verdict::is_rather_missed);
+        if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| is_rather_missed(row, task))) {
+            return format!(
+                "{under} the least deflection is that of {}; by what is known of its drives it more likely misses the tolerance than keeps it, so no robot is advised.",
                 list(&winners)
             );
         }
@@ -116,6 +148,19 @@ impl RankAnswer {
                 format!("{under} take {}; no robot is advised where {}.", list(decided), open.join("; "))
             }
         }
+    }
+
+    /// What the arms of some rows overlap with at some tasks.
+    fn collisions(&self, rows: &[(&Row, Vec<usize>)]) -> Vec<String> {
+        let of = |row: &Row, task: usize| {
+            let best = row.placement(task).filter(|best| best.collides_in_space())?;
+            let asked = (&self.ranking.model, &self.options);
+            let clearance = clearance(&row.robot, asked, &self.ranking.tasks[task], best)?;
+            let by = fixed(-clearance.distance * 1e3, 0);
+            let between = words::clearance_between(&clearance);
+            Some(format!("{} on {}: {between} by {by} mm", row.robot.name, self.ranking.tasks[task].label))
+        };
+        rows.iter().flat_map(|(row, tasks)| tasks.iter().filter_map(move |&task| of(row, task))).collect()
     }
 
     /// Under what the winners win: the force, how stiff the drives are taken to be, and in the arm plane how zones stand.
@@ -229,14 +274,20 @@ impl RankAnswer {
             (0..row.cells.len())
                 .all(|task| row.deflection(task).is_some_and(|deflection| Verdict::of(deflection, tolerance).passes))
         };
-        let passing: Vec<&Row> = self.ranking.rows.iter().filter(keeps).collect();
+        let keeping: Vec<&Row> = self.ranking.rows.iter().filter(keeps).collect();
+        let passing: Vec<&Row> = keeping.iter().copied().filter(|row| self.why_not_at_all(row).is_none()).collect();
+        let odd = match keeping.len() - passing.len() {
+            0 => String::new(),
+            odd => format!(" {odd} that keep it besides collide or carry more than they may."),
+        };
         if passing.is_empty() {
-            return format!("No robot keeps {tolerance} mm on every task.");
+            return format!("No robot keeps {tolerance} mm on every task{}.{odd}", self.clearly());
         }
         let told = |row: &&Row| {
             let least = (0..row.cells.len()).map(|task| self.verdict_of(row, task)?.probability);
             let least = least.reduce(|a, b| Some(a?.min(b?))).flatten();
-            let sure = least.map_or_else(String::new, |probability| format!(" (P {})", percent(probability)));
+            let sure = least.map(|probability| format!("P {}", percent(probability)));
+            let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
             format!("{}{sure}", words::marked(&row.robot))
         };
         let named: Vec<String> = passing.iter().take(MOST_ADVISED).map(told).collect();
@@ -246,7 +297,10 @@ impl RankAnswer {
         };
         let sure =
             if self.known_of_any() { "" } else { "; how likely is not known, as nothing is known of the drives" };
-        format!("{tolerance} mm on every task, the drives taken as they are told: {}{more}{sure}.", named.join(", "))
+        format!(
+            "{tolerance} mm on every task, the drives taken as they are told: {}{more}{sure}.{odd}",
+            named.join(", ")
+        )
     }
 }
 

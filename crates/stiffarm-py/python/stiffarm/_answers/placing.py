@@ -225,6 +225,8 @@ class Comparison(Table[ComparisonDict]):
     told_apart: bool
     #: ``"a"`` or ``"b"``; None where they cannot be told apart.
     better: str | None
+    #: In which share of the draws of the drives each gives way least; None where nothing says how far they may be off.
+    win_probability: list[float] | None
     #: What is not the same of both besides the answer.
     differ_in: list[str]
     #: What a manager would read.
