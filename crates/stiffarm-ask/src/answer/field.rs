@@ -254,7 +254,7 @@ fields! {
     SETUP_A: "a", Kind::Nested, "The first setup, as place tells it.";
     SETUP_B: "b", Kind::Nested, "The second setup.";
     SETUP_RATIO: "ratio", Kind::Number(Unit::One), "The deflection of the second over that of the first; null where one has no place.";
-    BETTER_SETUP: "better", Kind::Text, "Which of the two is certainly better, a or b; null where they cannot be told apart.";
+    BETTER_SETUP: "better", Kind::Text, "Which of the two is better, a or b, which is proved at the stiffness told; null where they cannot be told apart.";
     DIFFERENT: "differ_in", Kind::Nested, "What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance, place.";
     SUMMARY: "summary", Kind::Nested, "What a manager would read.";
     JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";

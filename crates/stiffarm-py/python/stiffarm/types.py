@@ -1765,7 +1765,8 @@ class ComparisonDict(TypedDict):
     """It is proved that no other is as good, the drives taken as they are told."""
 
     better: str | None
-    """Which of the two is certainly better, a or b; null where they cannot be told apart."""
+    """Which of the two is better, a or b, which is proved at the stiffness told; null where they cannot be told
+    apart."""
 
     win_probability: list[float] | None
     """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing

@@ -51,7 +51,8 @@ impl MillAnswer {
             ("does not hold", -verdict.margin_mm, "more")
         };
         let mut told = vec![format!(
-            "{name} {word} {tolerance} mm along {path}{}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
+            "{name} {word} {tolerance} mm along {path}{}{}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
+            if self.compensation.is_some() { " without compensation" } else { "" },
             proviso(verdict),
             fixed(margin, 4)
         )];
@@ -72,8 +73,11 @@ impl MillAnswer {
         }
         told.push(scattered(verdict, self.spread(), &self.robot));
         told.extend(self.left(Some(tolerance)));
-        let geometry = self.geometry_exceeds(tolerance).filter(|_| verdict.passes);
-        let outcome = if geometry.is_some() { Outcome::PassesPerhaps } else { judged(verdict) };
+        // Who compensates mills what is left.
+        let milled =
+            self.compensation.as_ref().and_then(|compensation| compensation.verdict(tolerance)).unwrap_or(verdict);
+        let geometry = self.geometry_exceeds(tolerance).filter(|_| milled.passes);
+        let outcome = if geometry.is_some() { Outcome::PassesPerhaps } else { judged(milled) };
         told.extend(geometry);
         (outcome, told)
     }

@@ -278,7 +278,8 @@ impl RankAnswer {
         let passing: Vec<&Row> = keeping.iter().copied().filter(|row| self.why_not_at_all(row).is_none()).collect();
         let odd = match keeping.len() - passing.len() {
             0 => String::new(),
-            odd => format!(" {odd} that keep it besides collide or carry more than they may."),
+            1 => " One more keeps it, but collides or carries more than it may.".into(),
+            odd => format!(" {odd} more keep it, but collide or carry more than they may."),
         };
         if passing.is_empty() {
             return format!("No robot keeps {tolerance} mm on every task{}.{odd}", self.clearly());
