@@ -28,7 +28,7 @@ fn check_refuses_an_arm_that_collides_or_carries_too_much() {
         assert!(found == code && err.contains(why), "{question:?}: {found}, {err}");
     };
     let space = ["--model", "spatial", "--task", "rect:0.6x0.4", "--tool-mm", "0,0,200"];
-    check(&[&["place", "M-900iA/200P"], &space[..]].concat(), 3, "COLLISION, forearm to column");
+    check(&[&["place", "M-900iA/200P"], &space[..]].concat(), 3, "COLLISION, forearm (estimated radius) to column");
     // 1000 N weigh as much as 102 kg: 202 kg are held by a robot for 210 kg, and 252 are not.
     let weighs = |kg| ["--task", "A:0.3", "--tool-mass-kg", kg];
     check(&[&["place", "KR 210 R2700 extra"], &weighs("100")[..]].concat(), 0, "");
