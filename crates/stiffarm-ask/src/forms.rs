@@ -360,14 +360,15 @@ impl Form {
     /// Its row.
     ///
     /// # Panics
-    /// Never: a test finds the row of every form that a verb has.
+    /// Never: a test finds the row of every form there is.
     pub fn row(self) -> &'static FormRow {
         FORMS.iter().find(|row| row.form == self).expect("every form has a row")
     }
 
     /// The form of a word, or of the whole ending of a file: `shop`, `shop.svg`.
     pub fn of_word(word: &str) -> Option<Self> {
-        FORMS.iter().find(|row| row.word == word || row.endings.contains(&word)).map(|row| row.form)
+        let is_whole = !word.starts_with(['.', '-']);
+        FORMS.iter().find(|row| row.word == word || is_whole && row.endings.contains(&word)).map(|row| row.form)
     }
 
     /// How its file is called that begins like this.
@@ -505,7 +506,7 @@ mod tests {
             (Form::of_word("shop"), Form::of_word("shop.svg")),
             (Some(Form::Svg(Picture::Shop)), Form::of_word("shop"))
         );
-        assert_eq!((Form::of_word("html"), Form::of_word(".svg")), (None, Form::of_word("svg")));
+        assert_eq!((Form::of_word("html"), Form::of_word(".svg")), (None, None));
         assert_eq!((form(view, "a.html"), form(view, "report.pdf")), (Some(Form::View), None));
     }
 

@@ -98,9 +98,10 @@ impl CompareAnswer {
         let draws = |side: &PlaceAnswer| drawn(&side.robot, side.options.load, side.best()?);
         let [a, b] = self.sides.each_ref().map(draws);
         let (a, b) = (a?, b?);
-        let is_less = a.iter().zip(&b).filter(|(a, b)| a < b).count() as f64 / a.len() as f64;
-        let is_more = a.iter().zip(&b).filter(|(a, b)| b < a).count() as f64 / a.len() as f64;
-        Some([is_less, is_more])
+        let share = |one: &[f64], other: &[f64]| {
+            one.iter().zip(other).filter(|(one, other)| one < other).count() as f64 / one.len() as f64
+        };
+        Some([share(&a, &b), share(&b, &a)])
     }
 
     /// What is not the same of both besides the answer.
@@ -202,16 +203,17 @@ impl CompareAnswer {
             (Some(better), Some(ratio)) => {
                 let times = if better == 0 { ratio } else { 1.0 / ratio };
                 let told = format!("{} gives way {} times as far", called(1 - better), fixed(times, 3));
-                match self.chances().map(|chances| chances[better]) {
-                    Some(share) if SURE <= share => format!(
+                match self.chances() {
+                    Some(share) if SURE <= share[better] => format!(
                         "{} is better: {told}, which is proved at the stiffness told, and it is stiffer in {} of the draws of the drives.",
                         called(better),
-                        percent(share)
+                        percent(share[better])
                     ),
                     Some(share) => format!(
-                        "At the stiffness told {} is better, which is proved: {told}. By what is known of the drives they tie: it is stiffer in {} of the draws.",
+                        "At the stiffness told {} is better, which is proved: {told}. By what is known of the drives {}: it is stiffer in {} of the draws.",
                         called(better),
-                        percent(share)
+                        if SURE <= share[1 - better] { "it is not" } else { "they tie" },
+                        percent(share[better])
                     ),
                     None => format!("At the stiffness told {} is better, which is proved: {told}.", called(better)),
                 }

@@ -192,7 +192,7 @@ impl Request {
         let load = match self.verb {
             // A zone on a map of the arm plane is placed for the worst direction, whatever is mapped.
             Verb::Map => self.load().in_worst_direction(),
-            // ToolPose in the stiffest way, whatever pushes.
+            // Held in the stiffest way, whatever pushes.
             Verb::Modes => Load::PAPER,
             _ => self.load(),
         };

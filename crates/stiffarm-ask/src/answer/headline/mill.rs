@@ -73,9 +73,7 @@ impl MillAnswer {
         }
         told.push(scattered(verdict, self.spread(), &self.robot));
         told.extend(self.left(Some(tolerance)));
-        // Who compensates mills what is left.
-        let milled =
-            self.compensation.as_ref().and_then(|compensation| compensation.verdict(tolerance)).unwrap_or(verdict);
+        let milled = self.milled_verdict().unwrap_or(verdict);
         let geometry = self.geometry_exceeds(tolerance).filter(|_| milled.passes);
         let outcome = if geometry.is_some() { Outcome::PassesPerhaps } else { judged(milled) };
         told.extend(geometry);

@@ -32,7 +32,7 @@ pub enum Outcome {
     NotFollowed,
     /// Several are as good.
     Tie,
-    /// The best is sold for less than tool and force weigh.
+    /// Tool and force are more than the robot may carry.
     Overloaded,
     /// One robot is advised; no tolerance was asked.
     Advised,

@@ -186,6 +186,14 @@ impl MillAnswer {
         Some(Verdict::of(found.worst.0, tolerance).with(known.and_then(|known| known.holds)))
     }
 
+    /// The same of what is milled: who compensates sends a program that leaves the median of the draws, or what the model says where nothing
+    /// is known of the drives.
+    pub(super) fn milled_verdict(&self) -> Option<Verdict> {
+        let Some(compensation) = &self.compensation else { return self.verdict() };
+        let tolerance = self.tolerance_mm?;
+        Some(compensation.verdict(tolerance).unwrap_or_else(|| Verdict::of(compensation.done.by_joints, tolerance)))
+    }
+
     /// The largest force along the path, N.
     fn newtons(&self) -> f64 {
         let force = |station: &Station| match station.acting {
@@ -258,20 +266,13 @@ impl MillAnswer {
         if let Some(why) = self.chatter_shortfall() {
             return Some(format!("{}: {why}", self.robot.name));
         }
-        let found = self.followed()?;
         if let Some(exceeded) = self.carried().exceeded() {
             return Some(format!("{}: {exceeded}", self.robot.name));
         }
-        let tolerance = self.tolerance_mm?;
-        // Who compensates sends a program in which that is left; where nobody knows how much that is, the model says it.
-        let (error, what) = match &self.compensation {
-            None => (found.worst.0, ""),
-            Some(Compensation { remaining: Some((left, _)), .. }) => (left.median, " left after compensation"),
-            Some(Compensation { done, .. }) => (done.by_joints, " left after compensation, by the model"),
-        };
-        let fails = !Verdict::of(error, tolerance).passes;
-        fails.then(|| {
-            let told = fixed(error * 1e3, 4);
+        let (tolerance, verdict) = self.tolerance_mm.zip(self.milled_verdict())?;
+        let what = if self.compensation.is_some() { " left after compensation" } else { "" };
+        (!verdict.passes).then(|| {
+            let told = fixed(tolerance - verdict.margin_mm, 4);
             format!("{}: {told} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.path)
         })
     }

@@ -35,7 +35,7 @@ impl RankAnswer {
         let holds =
             |deflection: f64| self.tolerance_mm.is_none_or(|tolerance| Verdict::of(deflection, tolerance).passes);
         let holds_all = |row: &Row| (0..row.cells.len()).all(|task| row.deflection(task).is_some_and(holds));
-        let does = |row: &&Row| row.rank.is_some() && holds_all(row) && self.why_not_at_all(row).is_none();
+        let does = |row: &&Row| row.rank.is_some() && holds_all(row) && !self.is_barred(row);
         if self.ranking.rows.iter().any(|row| does(&row)) {
             return None;
         }
@@ -47,19 +47,15 @@ impl RankAnswer {
         })
     }
 
-    /// Why a robot is not to be taken whatever its deflections: its arm collides, or it carries more than it may.
-    fn why_not_at_all(&self, row: &Row) -> Option<&'static str> {
-        let collides = |task: usize| row.placement(task).is_some_and(Placement::collides_in_space);
-        if (0..row.cells.len()).any(collides) {
-            return Some("COLLISION");
-        }
-        self.carried(&row.robot).is_exceeded().then_some("OVERLOADED")
+    /// A robot is not to be taken, whatever its deflections: its arm collides, or it carries more than it may.
+    fn is_barred(&self, row: &Row) -> bool {
+        collides(row) || self.carried(&row.robot).is_exceeded()
     }
 
     /// What a robot must do besides, where some robot does not.
     fn clearly(&self) -> &'static str {
-        let any = |word: &str| self.ranking.rows.iter().any(|row| self.why_not_at_all(row) == Some(word));
-        match (any("COLLISION"), any("OVERLOADED")) {
+        let rows = &self.ranking.rows;
+        match (rows.iter().any(collides), rows.iter().any(|row| self.carried(&row.robot).is_exceeded())) {
             (false, false) => "",
             (true, false) => ", keeps clear",
             (false, true) => ", carries tool and force",
@@ -275,7 +271,7 @@ impl RankAnswer {
                 .all(|task| row.deflection(task).is_some_and(|deflection| Verdict::of(deflection, tolerance).passes))
         };
         let keeping: Vec<&Row> = self.ranking.rows.iter().filter(keeps).collect();
-        let passing: Vec<&Row> = keeping.iter().copied().filter(|row| self.why_not_at_all(row).is_none()).collect();
+        let passing: Vec<&Row> = keeping.iter().copied().filter(|row| !self.is_barred(row)).collect();
         let odd = match keeping.len() - passing.len() {
             0 => String::new(),
             1 => " One more keeps it, but collides or carries more than it may.".into(),
@@ -303,6 +299,11 @@ impl RankAnswer {
             named.join(", ")
         )
     }
+}
+
+/// The arm of a row collides at some task.
+fn collides(row: &Row) -> bool {
+    (0..row.cells.len()).any(|task| row.placement(task).is_some_and(Placement::collides_in_space))
 }
 
 /// The name, and the payload where it is known.
