@@ -37,6 +37,20 @@ fn check_refuses_an_arm_that_collides_or_carries_too_much() {
     check(&[&["rank", "--robots", "KR 210 R2700 extra,KR 300 R2700-2"], &weighs("150")[..]].concat(), 0, "");
 }
 
+/// Headline and exit code judge the same error: of a path that is compensated what is left, also where only the model says that.
+#[test]
+fn a_compensated_path_is_judged_by_what_is_left() {
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("mill.csv");
+    let arm = ["mill", "line:0.1", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--at", "1.6,0,0.8,0"];
+    let asked = ["--force-n", "300,-120,80", "--tolerance-mm", "0.3", "--drive-urad-per-nm", "1", "--check", "-o"];
+    let mill = [&arm[..], &asked, &[file.to_str().expect("a plain path")]].concat();
+    let Ran { code, err, .. } = ran(&[], &mill);
+    assert!(code == 3 && err.starts_with("fail: "), "{err}");
+    let Ran { code, err, .. } = ran(&[], &[&mill[..], &["--compensate"]].concat());
+    assert!(code == 0 && err.starts_with("pass, not sure: ") && err.contains("without compensation"), "{err}");
+}
+
 /// What is written for machines hides nothing from whoever waits for it.
 #[test]
 fn a_data_file_alone_comes_with_the_answer_in_a_word() {
