@@ -144,8 +144,8 @@ fn a_place_that_is_told_keeps_the_clearance_that_is_asked_for() {
     let has = feasible(&there).clearance_in_space.expect("it is known where the base stands").distance * 1e3;
     let with = |by: f64| placed(&[&there[..], &[("clearance-mm", &format!("{}", has + by))]].concat());
     assert!(0.0 < has && matches!(with(-1.0), Placed::Feasible(_)), "{has}");
-    let Placed::Infeasible { reason: Misfit::Clearance { asked, kept }, .. } = with(1.0) else { panic!("{has}") };
-    assert_eq!((asked * 1e3, kept.map(|kept| kept * 1e3)), (has + 1.0, Some(has)));
+    let Placed::Infeasible { reason: Misfit::Clearance { asked, otherwise }, .. } = with(1.0) else { panic!("{has}") };
+    assert_eq!((asked * 1e3, otherwise.map(|kept| kept.distance * 1e3)), (has + 1.0, Some(has)));
 }
 
 #[test]

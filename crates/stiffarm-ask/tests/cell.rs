@@ -3,6 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use stiffarm::catalogue::find;
 use stiffarm::cell::{Block, Cell, Mount, Window};
+use stiffarm::clearance::Obstacle;
 use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::Model;
@@ -121,6 +122,39 @@ fn work_keeps_out_of_boxes_and_the_arm_keeps_its_distance_where_it_is_asked() {
     );
     let far = place(&model(), CIRCLE, &asked(&[("within", "11..14,0..1,0.8..0.9")])).unwrap();
     assert!(matches!(far, Placed::Infeasible { reason: Misfit::NothingReached, is_proved: true, .. }), "{far:?}");
+}
+
+/// Who names what must be kept free means the arm, too: a place at which it reaches through a post is not taken, unless that is said.
+#[test]
+fn a_box_that_is_kept_free_is_free_of_the_arm_too() {
+    let window = ("within", "1.7..2.3,-0.3..0.3,0.8..0.8");
+    let post = ("keep-out", "0.9..1.2,-2.0..2.0,..1.6");
+    let free = asked(&[window, post, ("allow-contact", "true")]);
+    let through = best(CIRCLE, &free);
+    let touched = through.clearance_in_space.unwrap();
+    assert!(through.collides_in_space() && matches!(touched.to, Obstacle::KeepOut(1)), "{touched:?}");
+    let placed = place(&model(), CIRCLE, &asked(&[window, post])).unwrap();
+    let Placed::Infeasible { reason: Misfit::Clearance { asked: least, otherwise }, is_proved: false, .. } = placed
+    else {
+        panic!("{placed:?}")
+    };
+    assert_eq!((least, otherwise), (0.0, Some(touched)));
+    // A lower post is passed, and where the best place of all keeps clear it is the answer.
+    let low = ("keep-out", "0.9..1.2,-2.0..2.0,..0.4");
+    let over = best(CIRCLE, &asked(&[window, low]));
+    assert!(!over.collides_in_space() && through.deflection <= over.deflection, "{over:?}");
+    let far = ("keep-out", "5.0..6.0,-2.0..2.0,..0.4");
+    assert_eq!(best(CIRCLE, &asked(&[window, far])), best(CIRCLE, &asked(&[window, far, ("allow-contact", "true")])));
+    let refused = |given: &[(&str, &str)]| {
+        let usual = [("robot", "KR 210 R2700 extra"), ("model", "spatial"), ("task", "circle:0.3")];
+        let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
+        let pairs: Vec<Pair> = usual.into_iter().chain(given.iter().copied()).map(pair).collect();
+        Request::read(Verb::Place, &pairs, Spelling::Typed).unwrap_err().to_string()
+    };
+    // It stands for nothing alone, and beside a clearance that is asked for it would say two things.
+    assert!(refused(&[("allow-contact", "true")]).contains("--keep-out"));
+    let both = refused(&[post, ("allow-contact", "true"), ("clearance-mm", "20")]);
+    assert!(both.contains("--allow-contact") && both.contains("--clearance-mm"), "{both}");
 }
 
 #[test]

@@ -236,7 +236,7 @@ pub(crate) fn distinct(tasks: Vec<String>) -> PyResult<Vec<String>> {
 /// The order of robots by their lower bounds and values: their places among those given, with rank and mean ratio.
 #[pyfunction]
 pub(crate) fn order(
-    robots: Vec<(String, String, bool, bool)>,
+    robots: Vec<(String, String, bool)>,
     proved_mm: Vec<Vec<Option<[f64; 2]>>>,
 ) -> PyResult<Vec<Stood>> {
     if robots.len() != proved_mm.len() {
@@ -245,11 +245,10 @@ pub(crate) fn order(
     let contestants: Vec<Contestant> = robots
         .iter()
         .zip(proved_mm)
-        .map(|((vendor, name, is_estimated, is_judged), values)| Contestant {
+        .map(|((vendor, name, is_estimated), values)| Contestant {
             vendor,
             name,
             is_estimated: *is_estimated,
-            is_judged: *is_judged,
             proved: values.into_iter().map(|mm| mm.map(|ends| ends.map(|mm| mm / 1e3))).collect(),
         })
         .collect();

@@ -24,8 +24,8 @@ pub type Cell = Result<Placed, PlaceError>;
 pub struct Row {
     /// Which.
     pub robot: Robot,
-    /// Over all tasks, as far as the values are proved; `None` for an estimated robot, which stands where its values put it, and for one of
-    /// which nothing is known.
+    /// Over all tasks, as far as the values are proved; `None` for an estimated robot, which stands where its values put it, and for one
+    /// that has a place for no task.
     pub rank: Option<Rank>,
     /// One answer per task.
     pub cells: Vec<Cell>,
@@ -55,9 +55,14 @@ impl Row {
         self.placement(task).map(|placement| [placement.lower_bound, placement.deflection])
     }
 
-    /// It takes a rank: something is known of it, and no number is assumed.
+    /// It takes a rank where it has a place: no number of it is assumed.
     fn is_ranked(&self) -> bool {
-        self.robot.status != Status::Estimated && self.cells.iter().any(Result::is_ok)
+        self.robot.status != Status::Estimated
+    }
+
+    /// The model has an answer for it, be it that there is no place.
+    pub fn is_judged(&self) -> bool {
+        self.cells.iter().any(Result::is_ok)
     }
 
     /// Why the planar model has no answer for this robot, where it has none.
@@ -114,9 +119,9 @@ impl Ranking {
         ranks(&self.rows.iter().map(proved).collect::<Vec<_>>())
     }
 
-    /// The rank of one robot.
-    pub fn rank_of(&self, robot: &Robot) -> Option<Rank> {
-        self.rows.iter().find(|row| row.robot == *robot)?.rank
+    /// The row of one robot.
+    pub fn row_of(&self, robot: &Robot) -> Option<&Row> {
+        self.rows.iter().find(|row| row.robot == *robot)
     }
 }
 
@@ -305,7 +310,6 @@ fn ranked(
             vendor: &row.robot.vendor,
             name: &row.robot.name,
             is_estimated: row.robot.status == Status::Estimated,
-            is_judged: row.cells.iter().any(Result::is_ok),
             proved: (0..tasks.len()).map(|task| row.proved(task)).collect(),
         })
         .collect();

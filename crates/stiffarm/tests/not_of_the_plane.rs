@@ -116,7 +116,7 @@ fn the_planar_verbs_refuse_a_compensator_and_a_ranking_goes_on_without_it() {
     let last = &ranking.rows[2];
     assert_eq!((last.robot.name.as_str(), last.deflection(0), last.floor), (robot.name.as_str(), None, None));
     assert!(last.why_not_of_the_plane().unwrap().to_string().contains("gravity compensator"));
-    assert_eq!(ranking.rank_of(&robot), None);
+    assert_eq!(ranking.row_of(&robot).unwrap().rank, None);
     // Alone there is nothing to rank; beside a ranking in space there need not be.
     let refused =
         rank(std::slice::from_ref(&robot), std::slice::from_ref(&task), &kind, &options, Watch::nobody()).unwrap_err();

@@ -120,7 +120,7 @@ impl RankAnswer {
 
     /// Where a robot stands among the others.
     fn standing(&self, row: &Row) -> Record {
-        let planar_rank = self.ranking.in_plane.as_ref().and_then(|planar| planar.rank_of(&row.robot));
+        let planar_rank = self.ranking.in_plane.as_ref().and_then(|planar| planar.row_of(&row.robot)?.rank);
         let mut record = Record::new();
         record
             .put(field::RANK, row.rank.map(|rank| rank.place))
@@ -216,12 +216,14 @@ impl RankAnswer {
         for (at, row) in rows.iter().enumerate() {
             let robot = &row.robot;
             let estimated = robot.status == Status::Estimated;
-            let or_none = |rank: Option<Rank>| {
-                let none = if estimated { "~" } else { "n/a" };
-                rank.map_or_else(|| none.to_owned(), |rank| rank.to_string())
+            let rank = |row: Option<&Row>| match row {
+                Some(Row { rank: Some(rank), .. }) => rank.to_string(),
+                _ if estimated => "~".into(),
+                Some(row) if row.is_judged() => "-".into(),
+                _ => "n/a".into(),
             };
             let mut cells = vec![
-                or_none(row.rank),
+                rank(Some(row)),
                 format!("{}{}", robot.full_name(), if estimated { " ~" } else { "" }),
                 words::architecture(robot),
                 words::status(robot).into(),
@@ -239,7 +241,7 @@ impl RankAnswer {
                 }
             }
             cells.push(row.mean_ratio.map_or_else(|| "-".into(), |ratio| fixed(ratio, 3)));
-            cells.extend(in_plane.as_ref().map(|planar| or_none(planar.rank_of(robot))));
+            cells.extend(in_plane.as_ref().map(|planar| rank(planar.row_of(robot))));
             table.row(cells);
         }
         table

@@ -201,7 +201,7 @@ pub fn clearance_of(clearance: &Clearance) -> String {
         Clearance { links: LinksBy::Enclosing, .. } => " (enclosing capsules)",
         Clearance { links: LinksBy::Estimated, .. } => " (estimated radius)",
     };
-    format!("{}{known} to {}", clearance.link.name(), obstacle(clearance.to))
+    format!("{}{known} to {}", clearance.link.name(), clearance.to)
 }
 
 /// The same for people, with what is known of an arm whose links are estimated.
@@ -240,20 +240,7 @@ pub fn links_are(robot: &Robot) -> &'static str {
 
 /// The same without how well the radius is known.
 pub fn bodies(link: Link, to: Obstacle) -> String {
-    format!("{} to {}", link.name(), obstacle(to))
-}
-
-fn obstacle(to: Obstacle) -> String {
-    match to {
-        Obstacle::Floor => "floor".into(),
-        Obstacle::Mounting => "wall or ceiling".into(),
-        Obstacle::Work => "work".into(),
-        Obstacle::Part => "part".into(),
-        Obstacle::Stock => "stock".into(),
-        Obstacle::Fixture => "fixture".into(),
-        Obstacle::KeepOut(number) => format!("keep-out {number}"),
-        Obstacle::Link(link) => link.name().into(),
-    }
+    format!("{} to {to}", link.name())
 }
 
 /// How near the arm comes to anything; loud where it is too near.

@@ -294,9 +294,16 @@ impl Request {
             mount: self.mount(),
             windows,
             keep_out: self.all(opt::KEEP_OUT),
-            clearance: self.get(opt::CLEARANCE_MM).map(|mm| mm / 1e3),
+            clearance: self.clearance(),
             has_floor: self.is_given(opt::FLOOR),
         }
+    }
+
+    /// So far, m, the arm must keep from everything, where that is asked: who names what must be kept free means the arm, too.
+    fn clearance(&self) -> Option<f64> {
+        let given = self.get(opt::CLEARANCE_MM).map(|mm| mm / 1e3);
+        let is_meant = self.is_given(opt::KEEP_OUT) && !self.allows_contact();
+        given.or_else(|| is_meant.then_some(0.0))
     }
 
     /// What is asked of a map.

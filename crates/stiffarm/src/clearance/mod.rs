@@ -9,6 +9,7 @@ mod solid;
 mod stock;
 mod thick;
 
+use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -213,6 +214,22 @@ impl Link {
             Self::Tool => "tool",
             Self::Cutter => "cutter",
             Self::Shank => "shank",
+        }
+    }
+}
+
+/// As answers tell it.
+impl fmt::Display for Obstacle {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Floor => f.write_str("floor"),
+            Self::Mounting => f.write_str("wall or ceiling"),
+            Self::Work => f.write_str("work"),
+            Self::Part => f.write_str("part"),
+            Self::Stock => f.write_str("stock"),
+            Self::Fixture => f.write_str("fixture"),
+            Self::KeepOut(number) => write!(f, "keep-out {number}"),
+            Self::Link(link) => f.write_str(link.name()),
         }
     }
 }

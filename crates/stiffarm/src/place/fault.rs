@@ -1,5 +1,6 @@
 //! Why has a zone no place, and a question no answer?
 
+use crate::clearance::Clearance;
 use crate::load::NotInPlane;
 use crate::model::ModelError;
 use crate::robot::NoArmPlane;
@@ -34,8 +35,8 @@ pub enum Misfit {
     Clearance {
         /// m.
         asked: f64,
-        /// What it keeps at the best place where none is asked for, m; `None` where no body of the arm is known.
-        kept: Option<f64>,
+        /// What it keeps at the best place where none is asked for; `None` where no body of the arm is known.
+        otherwise: Option<Clearance>,
     },
     /// The zone is reached, but a joint would have to turn by more than it can on the way through it.
     Turning,
@@ -63,10 +64,15 @@ impl std::fmt::Display for Misfit {
                 "no place was found (places {:.0} mm apart, then refined) where the whole zone is reached in one posture",
                 step * 1e3
             ),
-            Self::Clearance { asked, kept } => {
+            Self::Clearance { asked, otherwise } => {
                 write!(f, "no place was found where the arm keeps {:.0} mm from everything", asked * 1e3)?;
-                let Some(kept) = kept else { return Ok(()) };
-                write!(f, "; at the best place without that it keeps {:.0} mm", kept * 1e3)
+                let Some(Clearance { distance, link, to, .. }) = otherwise else { return Ok(()) };
+                let kept = (distance * 1e3).round();
+                if kept < 0.0 {
+                    write!(f, "; at the best place otherwise {} and {to} overlap by {:.0} mm", link.name(), -kept)
+                } else {
+                    write!(f, "; at the best place otherwise {} to {to} keeps {kept:.0} mm", link.name())
+                }
             }
             Self::Turning => f.write_str(
                 "the zone is reached, but not in one go: within it a joint passes a singular posture or the end of its range",

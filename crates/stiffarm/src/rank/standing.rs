@@ -38,8 +38,6 @@ pub struct Contestant<'a> {
     pub name: &'a str,
     /// Its numbers are partly assumed.
     pub is_estimated: bool,
-    /// Something is known of it.
-    pub is_judged: bool,
     /// Lower bound and value of the deflection of each task, m; `None` where there is no place, or it is not known.
     pub proved: Vec<Option<[f64; 2]>>,
 }
@@ -91,14 +89,12 @@ pub fn order(contestants: &[Contestant]) -> Vec<Standing> {
         misfits(a).cmp(&misfits(b)).then(score(a).total_cmp(&score(b))).then_with(|| names(a).cmp(&names(b)))
     });
     // Among those that do as many tasks; who does more of them stands before.
-    let takes_rank = |one: &Standing| contestants[one.at].is_judged && !contestants[one.at].is_estimated;
+    let takes_rank = |one: &Standing| !contestants[one.at].is_estimated;
     let mut before = 0;
     for group in standings.chunk_by_mut(|a, b| misfits(a) == misfits(b)) {
+        // One that can do none of the tasks stands behind all others, and has no rank.
         let proved = |one: &Standing| {
-            takes_rank(one).then_some(match (one.mean_ratio_bound, one.mean_ratio) {
-                (Some(bound), Some(value)) => [bound, value],
-                _ => [f64::INFINITY; 2],
-            })
+            one.mean_ratio_bound.zip(one.mean_ratio).filter(|_| takes_rank(one)).map(|(bound, value)| [bound, value])
         };
         let found = ranks(&group.iter().map(proved).collect::<Vec<_>>());
         let ranked = found.iter().flatten().count();
@@ -153,14 +149,13 @@ mod tests {
         // One of which little is proved may be better than those that stand before it.
         assert_eq!(told(&[Some([2.0, 2.0]), Some([2.1, 2.2]), Some([1.0, 2.5])]), ["1=", "2=", "1="]);
         assert_eq!(told(&[None, Some([1.0, 1.0]), None]), ["-", "1", "-"]);
-        assert_eq!(told(&[Some([f64::INFINITY; 2]), Some([f64::INFINITY; 2])]), ["1=", "1="]);
         // Rounding tells nobody apart: two robots that do not give way, and two that differ by 1e-12.
         assert_eq!(told(&[Some([0.0, 0.0]), Some([1e-17, 1e-17])]), ["1=", "1="]);
         assert_eq!(told(&[Some([2.0, 2.0]), Some([2.0 + 2e-12, 2.0 + 2e-12])]), ["1=", "1="]);
     }
 
     fn contestant<'a>(name: &'a str, is_estimated: bool, proved: &[Option<[f64; 2]>]) -> Contestant<'a> {
-        Contestant { vendor: "v", name, is_estimated, is_judged: true, proved: proved.to_vec() }
+        Contestant { vendor: "v", name, is_estimated, proved: proved.to_vec() }
     }
 
     #[test]
@@ -172,13 +167,15 @@ mod tests {
             contestant("a", false, &[Some(sure), Some(sure)]),
             contestant("guess", true, &[Some([0.1, 0.1]), Some([0.1, 0.1])]),
             contestant("d", false, &[Some([3.0, 3.0]), Some([3.0, 3.0])]),
+            contestant("none", false, &[None, None]),
         ];
         let standings = order(&contestants);
         let told: Vec<(&str, Option<String>)> =
             standings.iter().map(|one| (contestants[one.at].name, one.rank.map(|rank| rank.to_string()))).collect();
         let rank = |text: &str| Some(text.to_owned());
-        // One that does fewer tasks comes after all that do more, and an estimated one takes no rank.
-        let expected = [("guess", None), ("a", rank("1=")), ("b", rank("1=")), ("d", rank("3")), ("c", rank("4"))];
+        // One that does fewer tasks comes after all that do more; an estimated one, and one that does none, take no rank.
+        let expected =
+            [("guess", None), ("a", rank("1=")), ("b", rank("1=")), ("d", rank("3")), ("c", rank("4")), ("none", None)];
         assert_eq!(told, expected);
         // By hand: ratios to 0.1 of both tasks, 12 by value and 5 by what is proved.
         let b = standings[2];

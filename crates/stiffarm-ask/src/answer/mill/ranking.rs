@@ -247,8 +247,6 @@ fn ordered(all: Vec<(Robot, Result<MillAnswer, PostureError>)>) -> Vec<PathRow> 
             vendor: &robot.vendor,
             name: &robot.name,
             is_estimated: robot.status == Status::Estimated,
-            // There is one task: who does not do it stands behind nobody.
-            is_judged: proved.is_some(),
             proved: vec![proved],
         })
         .collect();

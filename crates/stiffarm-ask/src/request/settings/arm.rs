@@ -118,7 +118,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
         unit: "m",
         value: "BOX",
-        help: "What must be kept free: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
+        help: "What neither work nor arm may touch (with --allow-contact the work alone): x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
         example: "1.0..2.0,-3.0..-1.5,..1.2",
         ..CELL
     }),
@@ -126,9 +126,19 @@ pub(super) const ROWS: &[Setting] = &[
         kind: number_of(0.0, 5e3, "mm"),
         unit: "mm",
         value: "MM",
-        absent: Absent::Means("reported, none required"),
+        absent: Absent::Means("0 with --keep-out; else reported, none required"),
         help: "Smallest distance of the arm, links as capsules, from floor, work, itself and what is kept free",
         example: "50",
+        ..CELL
+    }),
+    opt::ALLOW_CONTACT.row(Setting {
+        kind: Kind::Flag,
+        needs: &[(Verb::Place, "keep-out"), (Verb::Rank, "keep-out"), (Verb::Compare, "keep-out")],
+        excludes: &["clearance-mm"],
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Take the best place of the work although the arm may touch something there",
+        example: "true",
         ..CELL
     }),
 ];

@@ -306,16 +306,12 @@ class Sweep:
         scenarios, _, forces, _ = self.shape
         if (scenarios, forces) != (1, 1):
             raise StiffarmError(f"{scenarios} scenarios and {forces} forces have no one order; wins() compares them")
-        values, answered, _ = self._deflections()
-        values, answered = values[0, :, 0], answered[0, :, 0]
-        judged: Flags = np.asarray(answered.any(axis=0))
+        values, _, _ = self._deflections()
+        values = values[0, :, 0]
         errors = self.to_arrow(["error"])["error"].to_pylist()
         labels, who = self._question.labels, self._question.robots
         told = [[float(v) if np.isfinite(v) else None for v in values[:, r]] for r in range(len(who))]
-        names = [
-            (robot["vendor"] or "", robot["robot"] or "", robot["status"] == "estimated", bool(judged[r]))
-            for r, robot in enumerate(who)
-        ]
+        names = [(robot["vendor"] or "", robot["robot"] or "", robot["status"] == "estimated") for robot in who]
         rows: list[dict[str, Any]] = []
         for r, rank, tied, mean_ratio in _stiffarm.order(names, self._proved(told)):
             row: dict[str, Any] = {"rank": rank, "rank_tied": tied, **_who(who[r])}

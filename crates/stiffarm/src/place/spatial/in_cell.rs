@@ -23,12 +23,14 @@ use crate::place::Orientation;
 use crate::robot::Robot;
 use crate::task::Zone;
 use crate::watch::{Parts, Stopped};
-use crate::work::{Grid, WorkPlane};
+use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// How much is looked at; the second where the first finds nothing and nothing is proved.
 const EFFORTS: [Effort; 2] =
     [Effort { places: 40_000.0, starts: 24, finalists: 6 }, Effort { places: 320_000.0, starts: 120, finalists: 40 }];
 
+/// Sites whose clearance is looked at before it is asked whether they are enough.
+const BLOCK: usize = 256;
 /// How often a place is sought anew with more clearance than was asked for.
 const TOUCHES: usize = 3;
 /// So far, m, a place may move until every limit is kept between its samples.
@@ -60,8 +62,11 @@ pub(super) fn search(
     options: &Question,
     cell: &Cell,
 ) -> Result<Placed, Stopped> {
+    let open = Cell { clearance: None, ..*cell };
+    let open = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, &open));
     let mut search = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, cell));
-    let mut found = search.taken(EFFORTS[0])?;
+    let mut free = open.taken(EFFORTS[0])?;
+    let mut found = search.keeping(&free, EFFORTS[0])?;
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
     let value = |found: &Result<Solution, _>| {
@@ -69,7 +74,10 @@ pub(super) fn search(
     };
     let mut proof = bound.prove(value(&found))?;
     if found.is_err() && !proof.unfathomed.is_empty() {
-        found = search.taken(EFFORTS[1])?;
+        if free.is_err() {
+            free = open.taken(EFFORTS[1])?;
+        }
+        found = search.keeping(&free, EFFORTS[1])?;
         if found.is_ok() {
             proof = bound.prove(value(&found))?;
         }
@@ -84,25 +92,10 @@ pub(super) fn search(
             .into(),
         ),
         Err(reason) => {
-            let reason = match cell.clearance {
-                Some(asked) => without_clearance(&search, asked, options)?,
-                None => reason,
-            };
             // With every angle that is asked for; what turns with its bearing is not sure of its extent.
             let is_narrow = reason == Misfit::WindowTooNarrow && options.orientation != Orientation::Free;
             Placed::Infeasible { reason, is_proved: is_narrow || proof.unfathomed.is_empty(), largest_scale: None }
         }
-    })
-}
-
-/// Why a search under a clearance has no place: what it keeps without it, or why there is none even then.
-fn without_clearance(search: &CellSearch, asked: f64, options: &Question) -> Result<Misfit, Stopped> {
-    let cell = Cell { clearance: None, ..*search.ground.cell };
-    let ground = Ground::new(search.arm, search.zone, options, &cell);
-    let found = CellSearch::new(search.robot, search.arm, search.zone, ground).taken(EFFORTS[0])?;
-    Ok(match found {
-        Ok(free) => Misfit::Clearance { asked, kept: free.clearance.map(|clearance| clearance.distance) },
-        Err(reason) => reason,
     })
 }
 
@@ -133,8 +126,17 @@ impl<'a> CellSearch<'a> {
         Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 }
     }
 
-    /// The best place that keeps the clearance that is asked for, or why none was found.
-    fn taken(&mut self, effort: Effort) -> Result<Result<Solution, Misfit>, Stopped> {
+    /// The best place that keeps the clearance that is asked for, by the best of all places: that itself where it keeps it.
+    fn keeping(
+        &mut self,
+        free: &Result<Solution, Misfit>,
+        effort: Effort,
+    ) -> Result<Result<Solution, Misfit>, Stopped> {
+        let (Some(asked), Ok(best)) = (self.ground.cell.clearance, free) else { return Ok(free.clone()) };
+        let otherwise = best.clearance;
+        if otherwise.is_some_and(|kept| asked <= kept.distance) {
+            return Ok(free.clone());
+        }
         self.reserve = 0.0;
         let mut found = self.find(effort)?;
         // The search looks at few poses of a zone, the answer at many: what they come nearer by is asked for besides.
@@ -143,7 +145,12 @@ impl<'a> CellSearch<'a> {
             self.reserve += short + FINE.0;
             found = self.find(effort)?;
         }
-        Ok(found.map_err(|untaken| untaken.reason))
+        Ok(found.map_err(|_| Misfit::Clearance { asked, otherwise }))
+    }
+
+    /// The best place, or why none was found.
+    fn taken(&self, effort: Effort) -> Result<Result<Solution, Misfit>, Stopped> {
+        Ok(self.find(effort)?.map_err(|untaken| untaken.reason))
     }
 
     fn find(&self, effort: Effort) -> Result<Result<Solution, Untaken>, Stopped> {
@@ -153,10 +160,7 @@ impl<'a> CellSearch<'a> {
             let why = if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow };
             return Ok(Err(why.into()));
         }
-        let scored = |site: &Site| self.parts().one_more().map(|()| self.scored(site, &grid));
-        let mut seen: Vec<Scored> = sites.par_iter().map(scored).collect::<Result<_, _>>()?;
-        seen.retain(|scored| scored.score.unreached < usize::MAX);
-        seen.sort_by(|a, b| a.score.total_cmp(&b.score));
+        let seen = self.coarse(&sites, (&grid, step), effort.starts)?;
         if seen.is_empty() {
             return Ok(Err(Misfit::Within.into()));
         }
@@ -176,12 +180,37 @@ impl<'a> CellSearch<'a> {
                     let missed = solution.clearance.map(|clearance| asked - clearance.distance);
                     let short = [missed, touching.and_then(|touching| touching.short)];
                     let short = short.into_iter().flatten().min_by(f64::total_cmp);
-                    touching = Some(Untaken { reason: Misfit::Clearance { asked, kept: None }, short });
+                    touching = Some(Untaken { reason: Misfit::Clearance { asked, otherwise: None }, short });
                 }
                 _ => return Ok(Ok(solution)),
             }
         }
         Ok(Err(touching.unwrap_or(Misfit::Turning.into())))
+    }
+
+    /// Sites, the best first: enough for so many starts, or all that are reached.
+    fn coarse(&self, sites: &[Site], (grid, step): (&Grid, f64), starts: usize) -> Result<Vec<Scored>, Stopped> {
+        let scored = |site: &Site| self.parts().one_more().map(|()| self.free(site, grid));
+        let mut free: Vec<Scored> = sites.par_iter().map(scored).collect::<Result<_, _>>()?;
+        free.retain(|scored| scored.score.unreached < usize::MAX);
+        let by_score = |a: &Scored, b: &Scored| a.score.total_cmp(&b.score);
+        free.sort_by(by_score);
+        if self.ground.cell.clearance.is_none() {
+            return Ok(free);
+        }
+        // To keep a clearance makes no place better: those that follow are no better than they are without it.
+        let mut seen: Vec<Scored> = Vec::new();
+        for block in free.chunks(BLOCK) {
+            let scored = |free: &Scored| self.parts().go_on().map(|()| self.scored(&free.site, grid));
+            seen.extend(block.par_iter().map(scored).collect::<Result<Vec<_>, _>>()?);
+            seen.sort_by(by_score);
+            let last = block.last().expect("no empty block");
+            let settled = seen.partition_point(|scored| by_score(scored, last).is_le());
+            if apart(&seen[..settled], step, starts).len() == starts {
+                break;
+            }
+        }
+        Ok(seen)
     }
 
     fn parts(&self) -> &Parts<'_> {
@@ -218,28 +247,19 @@ impl<'a> CellSearch<'a> {
 
     /// The same where the score is less than a bound; else any score that is not.
     fn scored_below(&self, site: &Site, grid: &Grid, bound: Score) -> Scored {
-        if !self.ground.allows(site) {
-            return Scored { site: *site, score: Score::NONE };
-        }
-        let score = self.at(site, |search, work| {
-            let mut scores: Vec<(Score, Configuration)> =
-                search.scores_below(work, grid, bound).into_iter().zip(Configuration::ALL).collect();
-            scores.sort_by(|a, b| a.0.total_cmp(&b.0));
-            if scores[0].0.total_cmp(&bound).is_ge() {
-                return scores[0].0;
-            }
-            let Some(asked) = self.ground.cell.clearance else { return scores[0].0 };
-            let mut nearest = scores[0].0;
-            for (score, configuration) in scores.into_iter().filter(|(score, _)| score.is_feasible()) {
-                match search.rough_clearance(work, configuration) {
-                    Some(clearance) if clearance < asked + self.reserve => {
-                        nearest = Score { unreached: 1, worst: asked - clearance };
-                    }
-                    _ => return score,
-                }
-            }
-            nearest
-        });
+        self.allowed(site, |search, work| match self.ground.cell.clearance {
+            None => search.candidate_below(*work, grid, bound).score,
+            Some(asked) => search.score_clear_by(asked, self.reserve, work, (grid, bound)),
+        })
+    }
+
+    /// The score of the best configuration, whatever it touches.
+    fn free(&self, site: &Site, grid: &Grid) -> Scored {
+        self.allowed(site, |search, work| search.candidate(*work, grid).score)
+    }
+
+    fn allowed(&self, site: &Site, score: impl FnOnce(&Search, &WorkPlacement) -> Score) -> Scored {
+        let score = if self.ground.allows(site) { self.at(site, score) } else { Score::NONE };
         Scored { site: *site, score }
     }
 
@@ -276,7 +296,7 @@ impl<'a> CellSearch<'a> {
     }
 
     /// Asks the search of the robot turned to a site: straight ahead the zone lies there.
-    fn at<R>(&self, site: &Site, ask: impl FnOnce(&Search, &crate::work::WorkPlacement) -> R) -> R {
+    fn at<R>(&self, site: &Site, ask: impl FnOnce(&Search, &WorkPlacement) -> R) -> R {
         let (bearing, work) = self.ground.local(site);
         let arm = self.arm.with_base_turned(bearing);
         let question = self.ground.seen_from(bearing);
@@ -295,8 +315,28 @@ impl<'a> CellSearch<'a> {
 }
 
 impl Search<'_> {
+    /// The score of the best configuration that keeps a clearance, m, and a reserve besides, where it is less than a bound; where none keeps it,
+    /// how far it is from that.
+    fn score_clear_by(&self, asked: f64, reserve: f64, work: &WorkPlacement, (grid, bound): (&Grid, Score)) -> Score {
+        let mut scores: Vec<(Score, Configuration)> =
+            self.scores_below(work, grid, bound).into_iter().zip(Configuration::ALL).collect();
+        scores.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let best = scores[0].0;
+        if best.total_cmp(&bound).is_ge() || !best.is_feasible() {
+            return best;
+        }
+        let mut short = f64::INFINITY;
+        for (score, configuration) in scores.into_iter().filter(|(score, _)| score.is_feasible()) {
+            match self.rough_clearance(work, configuration) {
+                Some(clearance) if clearance < asked + reserve => short = short.min(asked - clearance),
+                _ => return score,
+            }
+        }
+        Score { unreached: 1, worst: short }
+    }
+
     /// The nearest at some poses of one configuration, m.
-    fn rough_clearance(&self, work: &crate::work::WorkPlacement, configuration: Configuration) -> Option<f64> {
+    fn rough_clearance(&self, work: &WorkPlacement, configuration: Configuration) -> Option<f64> {
         let plane = WorkPlane::of(self.options.elevation, work);
         let tool_from_flange = self.arm.flange_from_tool.inverse();
         let held = Grid::of(self.zone, 2)
