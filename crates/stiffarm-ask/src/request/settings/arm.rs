@@ -127,6 +127,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm",
         value: "MM",
         absent: Absent::Means("0 with --keep-out; else reported, none required"),
+        excludes: &["allow-contact"],
         help: "Smallest distance of the arm, links as capsules, from floor, work, itself and what is kept free",
         example: "50",
         ..CELL
