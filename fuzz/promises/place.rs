@@ -10,6 +10,7 @@ use stiffarm::model::Model;
 use stiffarm::place::{Hold, Orientation, PlaceOptions, Placed, Within, place};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 /// A number from `min` to `max`; one time in sixteen any 64 bits, NaN and infinity among them.
 fn number(u: &mut Unstructured, min: f64, max: f64) -> Result<f64> {
@@ -72,7 +73,7 @@ pub(crate) fn holds(bytes: &[u8]) {
         Ok(model) => model,
         Err(error) => return assert!(!error.to_string().is_empty()),
     };
-    match place(&model, zone, &options) {
+    match place(&model, &zone.into(), &options, Watch::nobody()) {
         Ok(Placed::Feasible(best)) => {
             assert!(0.0 < best.deflection && best.deflection.is_finite(), "{best:?}");
             assert!(best.lower_bound <= best.deflection, "{best:?}");

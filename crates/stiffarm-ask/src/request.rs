@@ -285,22 +285,14 @@ impl Request {
         }
     }
 
-    /// A part is placed, not mapped, says itself how the tool meets each face, and has the faces that are asked for.
+    /// A part says itself how the tool meets each face, and has the faces that are asked for.
     fn check_parts(&self) -> Result<(), Refusal> {
         let refused = |name: &str, why: &str| {
             let given = self.find(name).expect("it was given");
             Refusal::Unanswered { at: given.at.clone(), name: given.at.name(given.setting), why: why.into() }
         };
-        if self.verb == Verb::Map {
-            let is_part = self.zone().is_some_and(|zone| zone.part.is_some());
-            return if is_part {
-                Err(refused("zone", "a map draws one flat zone; place takes a part"))
-            } else {
-                Ok(())
-            };
-        }
-        let tasks = self.works();
-        let has_part = tasks.iter().any(|task| task.part.is_some());
+        let tasks = self.all(opt::TASK);
+        let has_part = tasks.iter().any(|task| task.work.part().is_some());
         for name in [opt::TOOL_DIRECTION.name, opt::YAW_DEG.name] {
             if has_part && self.is_given(name) {
                 return Err(refused(name, "a part says itself how the tool meets each face"));
@@ -312,7 +304,7 @@ impl Request {
         if !has_part {
             return Err(refused("faces", "a flat zone is one face; a part is such as box:0.8x0.5x0.1"));
         }
-        for part in tasks.iter().filter_map(|task| task.part.as_ref()) {
+        for part in tasks.iter().filter_map(|task| task.work.part()) {
             part.with_faces(&self.all(opt::FACES)).map_err(|error| refused("faces", &error.to_string()))?;
         }
         Ok(())

@@ -7,6 +7,7 @@ use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::place::{Misfit, Placed, Placement, place};
 use stiffarm::robot::{Arm, Robot};
+use stiffarm::watch::Watch;
 use stiffarm_ask::request::{Pair, Refusal, Request, Spelling, Verb};
 
 fn asked(given: &[(&str, &str)]) -> Result<Request, Refusal> {
@@ -20,9 +21,9 @@ fn robot() -> Robot {
 
 fn placed(given: &[(&str, &str)]) -> Placed {
     let request = asked(given).unwrap();
-    let (robot, zone) = (request.equipped(robot()).unwrap(), request.task().unwrap().zone);
+    let (robot, work) = (request.equipped(robot()).unwrap(), request.task().unwrap().work);
     let model: Model = request.model().of(&robot).unwrap();
-    place(&model, zone, &request.place_options(Some(zone)).unwrap()).unwrap()
+    place(&model, &work, &request.place_options(work.zone()).unwrap(), Watch::nobody()).unwrap()
 }
 
 fn feasible(given: &[(&str, &str)]) -> Placement {
@@ -153,8 +154,8 @@ fn what_one_place_cannot_have_is_refused() {
     let refused = |given: &[(&str, &str)]| match asked(given) {
         Err(refusal) => refusal.to_string(),
         Ok(request) => {
-            let zone = request.task().unwrap().zone;
-            request.place_options(Some(zone)).unwrap_err().to_string()
+            let work = request.task().unwrap().work;
+            request.place_options(work.zone()).unwrap_err().to_string()
         }
     };
     let flat = ("task", "rect:0.3x0.2");

@@ -11,6 +11,7 @@ use stiffarm::place::{Misfit, PlaceOptions, Placed, Placement, Within, place};
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb, block};
 
 const CIRCLE: Zone = Zone::Circle { diameter: 0.3 };
@@ -34,7 +35,7 @@ fn asked(given: &[(&str, &str)]) -> PlaceOptions {
 }
 
 fn best(zone: Zone, options: &PlaceOptions) -> Placement {
-    let placed = place(&model(), zone, options).unwrap();
+    let placed = place(&model(), &zone.into(), options, Watch::nobody()).unwrap();
     placed.feasible().unwrap_or_else(|| panic!("{placed:?}")).clone()
 }
 
@@ -70,7 +71,7 @@ fn the_best_place_in_a_window_is_no_worse_than_many_others_in_it_and_bounded() {
                 let within = Within { x: Interval::spanning(ahead - 0.15, ahead + 0.15), z: height };
                 let there = PlaceOptions { within: Some(within), ..PlaceOptions::under(Load::PAPER) };
                 // Some are out of reach.
-                let placed = place(&model(), CIRCLE, &there).unwrap();
+                let placed = place(&model(), &CIRCLE.into(), &there, Watch::nobody()).unwrap();
                 let Some(there) = placed.feasible().map(|placement| placement.deflection) else { continue };
                 assert!(found.lower_bound <= there, "{x} {y} {z}");
                 least = least.min(there);
@@ -113,14 +114,15 @@ fn work_keeps_out_of_boxes_and_the_arm_keeps_its_distance_where_it_is_asked() {
     let farther = best(CIRCLE, &options);
     assert!(asked_for <= farther.clearance_in_space.unwrap().distance, "{:?}", farther.clearance_in_space);
     assert!(beside.deflection <= farther.deflection * 1.001);
-    let never = place(&model(), CIRCLE, &asked(&[window, ("clearance-mm", "3000")])).unwrap();
+    let never = place(&model(), &CIRCLE.into(), &asked(&[window, ("clearance-mm", "3000")]), Watch::nobody()).unwrap();
     assert!(matches!(never, Placed::Infeasible { is_proved: false, .. }), "{never:?}");
-    let narrow = place(&model(), CIRCLE, &asked(&[("within", "1.2..1.4,0..1,0.8..0.9")])).unwrap();
+    let narrow =
+        place(&model(), &CIRCLE.into(), &asked(&[("within", "1.2..1.4,0..1,0.8..0.9")]), Watch::nobody()).unwrap();
     assert!(
         matches!(narrow, Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, .. }),
         "{narrow:?}"
     );
-    let far = place(&model(), CIRCLE, &asked(&[("within", "11..14,0..1,0.8..0.9")])).unwrap();
+    let far = place(&model(), &CIRCLE.into(), &asked(&[("within", "11..14,0..1,0.8..0.9")]), Watch::nobody()).unwrap();
     assert!(matches!(far, Placed::Infeasible { reason: Misfit::NothingReached, is_proved: true, .. }), "{far:?}");
 }
 
@@ -133,7 +135,7 @@ fn a_box_that_is_kept_free_is_free_of_the_arm_too() {
     let through = best(CIRCLE, &free);
     let touched = through.clearance_in_space.unwrap();
     assert!(through.collides_in_space() && matches!(touched.to, Obstacle::KeepOut(1)), "{touched:?}");
-    let placed = place(&model(), CIRCLE, &asked(&[window, post])).unwrap();
+    let placed = place(&model(), &CIRCLE.into(), &asked(&[window, post]), Watch::nobody()).unwrap();
     let Placed::Infeasible { reason: Misfit::Clearance { asked: least, otherwise }, is_proved: false, .. } = placed
     else {
         panic!("{placed:?}")
@@ -229,7 +231,7 @@ fn a_tool_that_points_down_points_down_from_a_base_that_leans() {
         ("pose:0,0,1.2,0,70,20", "0.2..1.2,-0.8..0.8,0.2..1.4"),
     ] {
         let options = asked(&[("mount", mount), ("within", within), ("task", "rect:0.34x0.22")]);
-        let placed = place(&model, zone, &options).unwrap();
+        let placed = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
         let found = placed.feasible().unwrap_or_else(|| panic!("{mount}: {placed:?}"));
         let cell = options.cell.unwrap();
         let there =

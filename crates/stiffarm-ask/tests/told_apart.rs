@@ -123,8 +123,8 @@ fn the_smallest_margin_in_the_plane_is_that_of_all_points_of_the_zone() {
             let robot = find(name).expect("in the catalogue").robot();
             let model = Model::planar(&robot).unwrap();
             let Model::Planar(planar) = &model else { panic!("planar") };
-            let zone = task.parse::<Task>().unwrap().zone;
-            let placed = place(&model, zone, &options).unwrap();
+            let zone = task.parse::<Task<Zone>>().unwrap().work;
+            let placed = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
             let Some(best) = placed.feasible() else { continue };
             let (told, of) = best.smallest_margin().expect("a place has a margin");
             let sign = if best.elbow == stiffarm::plane::Elbow::Up { -1.0 } else { 1.0 };

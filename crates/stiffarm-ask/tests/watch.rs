@@ -8,7 +8,7 @@ use stiffarm::catalogue::{find, paper_robots};
 use stiffarm::load::Load;
 use stiffarm::map::{Extent, MapError, MapOptions, Spacing, map_watched};
 use stiffarm::model::{Model, ModelKind};
-use stiffarm::place::{PlaceError, PlaceOptions, place_task_watched};
+use stiffarm::place::{self, PlaceError, PlaceOptions};
 use stiffarm::rank::{curves, rank};
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
@@ -70,8 +70,8 @@ fn place(what: &str, typed: &[(&str, &str)]) {
         typed.map(|(name, text)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed }).collect();
     let asked = Request::read(Verb::Place, &pairs, Spelling::Typed).unwrap();
     let (model, task) = (asked.model().of(&kuka()).unwrap(), asked.task().unwrap());
-    let options = asked.place_options(Some(task.zone)).unwrap();
-    stopped_anywhere(what, false, |watch| match place_task_watched(&model, &task, &options, watch) {
+    let options = asked.place_options(task.work.zone()).unwrap();
+    stopped_anywhere(what, false, |watch| match place::place(&model, &task.work, &options, watch) {
         Err(PlaceError::Stopped(_)) => None,
         placed => Some(placed.unwrap()),
     });

@@ -47,7 +47,7 @@ fn maps(c: &mut Criterion) {
 
 fn placements(c: &mut Criterion) {
     let robots = paper_robots();
-    let zone = tasks(&["B:0.5"])[0].zone;
+    let zone = tasks(&["B:0.5"])[0].work.clone();
     let anywhere = PlaceOptions::under(Load::PAPER);
     let range = |min, max| stiffarm::interval::Interval::new(min, max).expect("a range");
     let on_a_table = PlaceOptions { within: Some(Within { x: range(1.2, 4.0), z: range(0.3, 1.5) }), ..anywhere };
@@ -56,7 +56,7 @@ fn placements(c: &mut Criterion) {
     for (name, options) in [("exact", anywhere), ("within", on_a_table), ("within_any_angle", turned)] {
         let robot = robot(&robots, "BT200L");
         group.bench_function(name, |b| {
-            b.iter(|| place(&Model::planar(black_box(&robot)).expect("a plane"), zone, &options));
+            b.iter(|| place(&Model::planar(black_box(&robot)).expect("a plane"), &zone, &options, Watch::nobody()));
         });
     }
     group.finish();

@@ -20,6 +20,7 @@ use stiffarm::place::{PlaceOptions, Stance, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 const COUNT: usize = 100_000;
 
@@ -93,7 +94,8 @@ fn places(c: &mut Criterion) {
     let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(Load::PAPER) };
     let mut group = c.benchmark_group("place_in_space");
     group.sample_size(10);
-    group.bench_function("with_proof", |b| b.iter(|| place(&model, black_box(zone), &options)));
+    group
+        .bench_function("with_proof", |b| b.iter(|| place(&model, &black_box(zone).into(), &options, Watch::nobody())));
     let arm = SpatialArm::new(&robot, &tool).expect("a six-axis robot");
     let edge: Vec<[f64; 2]> = (0..4)
         .flat_map(|n| {

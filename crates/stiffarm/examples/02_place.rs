@@ -6,6 +6,7 @@ use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::place::{PlaceOptions, Placed, Within, place};
 use stiffarm::task::Task;
+use stiffarm::watch::Watch;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let robot = paper_robots().into_iter().find(|robot| robot.name == "IRB 6650S-200").ok_or("not in the catalogue")?;
@@ -13,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let table = Interval::new(0.4, 1.6).ok_or("an interval")?;
     let options =
         PlaceOptions { within: Some(Within { x: Interval::ALL, z: table }), ..PlaceOptions::under(Load::PAPER) };
-    match place(&Model::planar(&robot)?, task.zone, &options)? {
+    match place(&Model::planar(&robot)?, &task.work, &options, Watch::nobody())? {
         Placed::Feasible(best) => {
             println!("{:.4} mm at worst; proved lower bound {:.4} mm", best.deflection * 1e3, best.lower_bound * 1e3);
             println!("centre {:.3?} m from the base, elbow {}", best.centre, best.elbow.name());

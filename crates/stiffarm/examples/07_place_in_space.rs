@@ -7,6 +7,7 @@ use stiffarm::model::Model;
 use stiffarm::place::{PlaceOptions, Placed, Within, place};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Task;
+use stiffarm::watch::Watch;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let robot =
@@ -16,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = Model::spatial(&robot, &Pose::translation(0.0, 0.0, 0.3))?;
     let within = Within { x: Interval::POSITIVE, z: table };
     let options = PlaceOptions { within: Some(within), ..PlaceOptions::under(Load::PAPER) };
-    match place(&model, task.zone, &options)? {
+    match place(&model, &task.work, &options, Watch::nobody())? {
         Placed::Feasible(best) => {
             println!("{:.4} mm at worst, at least {:.4} mm anywhere", best.deflection * 1e3, best.lower_bound * 1e3);
             println!(

@@ -7,10 +7,10 @@ use rayon::prelude::*;
 
 use crate::load::Load;
 use crate::model::Model;
-use crate::place::{Hold, NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place_task_watched};
+use crate::place::{Hold, NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place};
 use crate::rank::{RankError, Ranking, Row};
 use crate::robot::{Arm, Robot};
-use crate::task::Task;
+use crate::task::Work;
 use crate::watch::Watch;
 
 /// What a compensation of the program is taken to take out of the deflection: a part that is assumed, not known.
@@ -85,17 +85,17 @@ impl AtPlace {
     }
 }
 
-/// What a placement of a task says against a tolerance, m.
+/// What a placement of work says against a tolerance, m.
 ///
 /// Where it is not kept, smaller zones of the shape are placed: a flat zone contains every smaller one, so that what is proved not to hold
 /// proves it of all larger zones, too. (Faces of a part move together when it shrinks; of a part that is only known of the sizes that were
 /// tried.) At most some 30 are placed in the plane, to 0.1 % of the size, and 8 in space, to 1 %; 6 of a part, to 3 %.
 ///
 /// # Errors
-/// As [`place_task`](crate::place::place_task). A search that does not end ends the search for the largest zone, and is none.
+/// As [`place`](crate::place::place). A search that does not end ends the search for the largest zone, and is none.
 pub fn advise(
     model: &Model,
-    task: &Task,
+    work: &Work,
     options: &PlaceOptions,
     placed: &Placed,
     tolerance: f64,
@@ -106,7 +106,7 @@ pub fn advise(
     let zone = if passes {
         None
     } else {
-        Some(Sought { model, task, options, tolerance, watch: watch.of_part() }.largest(placed)?)
+        Some(Sought { model, work, options, tolerance, watch: watch.of_part() }.largest(placed)?)
     };
     let at_place = best.map(|best| AtPlace::of(model, best, options.load, tolerance)).transpose()?;
     Ok(Advice { tolerance, at_place, zone })
@@ -133,7 +133,7 @@ pub fn advise_best(
         // Of a search that did not end there is nothing to say.
         let Ok(placed) = &row.cells[task] else { return Ok((at, task, None)) };
         let model = ranking.model.of(&row.robot).map_err(|error| failed(error.into()))?;
-        let advice = advise(&model, asked, options, placed, tolerance, watch.of_part()).map_err(failed)?;
+        let advice = advise(&model, &asked.work, options, placed, tolerance, watch.of_part()).map_err(failed)?;
         parts.one_more().map_err(|error| failed(error.into()))?;
         Ok((at, task, Some(advice)))
     };
@@ -181,18 +181,18 @@ fn shares(model: &Model, best: &Placement, load: Load) -> Result<[Option<f64>; 6
 }
 
 /// How finely the largest zone is sought, relative to its size, and how many zones are placed for that.
-fn effort(model: &Model, task: &Task) -> (f64, usize) {
-    match (model, &task.part) {
+fn effort(model: &Model, work: &Work) -> (f64, usize) {
+    match (model, work) {
         (Model::Planar(_), _) => (1e-3, 30),
-        (Model::Spatial(_), None) => (1e-2, 8),
-        (Model::Spatial(_), Some(_)) => (3e-2, 6),
+        (Model::Spatial(_), Work::Zone(_)) => (1e-2, 8),
+        (Model::Spatial(_), Work::Part(_)) => (3e-2, 6),
     }
 }
 
 /// The largest zone is sought for this.
 struct Sought<'a> {
     model: &'a Model,
-    task: &'a Task,
+    work: &'a Work,
     options: &'a PlaceOptions,
     tolerance: f64,
     watch: Watch<'a>,
@@ -210,7 +210,7 @@ enum Tried {
 impl Sought<'_> {
     /// Between the smallest size and the one that was asked for, which does not hold.
     fn largest(&self, placed: &Placed) -> Result<LargestZone, PlaceError> {
-        let (resolution, most) = effort(self.model, self.task);
+        let (resolution, most) = effort(self.model, self.work);
         let (mut fails_at, mut failed) = (1.0, self.judged(placed));
         let mut tried = 1;
         let mut holds = match self.at(SMALLEST)? {
@@ -249,16 +249,16 @@ impl Sought<'_> {
 
     /// A zone of this part of the size; `None` where the search does not end.
     fn at(&self, scale: f64) -> Result<Option<Tried>, PlaceError> {
-        let task = self.task.scaled(scale);
-        let found = match self.model {
+        let work = self.work.scaled(scale);
+        let found = match (self.model, &work) {
             // The place alone: what stands in the way where there is none would cost more.
-            Model::Planar(_) => find(self.model, task.zone, self.options, self.watch).map(|best| match best {
-                Some(best) => self.judged(&Placed::Feasible(best)),
-                None => Tried::Fails(None, true),
-            }),
-            Model::Spatial(_) => {
-                place_task_watched(self.model, &task, self.options, self.watch).map(|placed| self.judged(&placed))
+            (Model::Planar(_), Work::Zone(zone)) => {
+                find(self.model, *zone, self.options, self.watch).map(|best| match best {
+                    Some(best) => self.judged(&Placed::Feasible(best)),
+                    None => Tried::Fails(None, true),
+                })
             }
+            _ => place(self.model, &work, self.options, self.watch).map(|placed| self.judged(&placed)),
         };
         match found {
             Err(PlaceError::Unfinished { .. }) => Ok(None),

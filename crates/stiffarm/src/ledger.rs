@@ -11,6 +11,7 @@ use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 use crate::study::{Contender, Study, StudyOptions, study};
 use crate::task::{Task, TaskError, Zone};
+use crate::watch::Watch;
 
 /// What the ledger reads, as CSV texts: what is printed, and which cells are known to disagree.
 #[derive(Clone, Copy, Debug)]
@@ -234,7 +235,12 @@ fn links(robots: &[Robot], name: &str) -> Option<Links> {
 /// At 1 kN, as the paper's Table III; `None` where the task has no place.
 fn deflection_mm(robot: &Robot, task: &str) -> Result<Option<f64>, LedgerError> {
     let task: Task = task.parse()?;
-    let placed = place(&Model::planar(robot).map_err(PlaceError::from)?, task.zone, &PlaceOptions::under(Load::PAPER))?;
+    let placed = place(
+        &Model::planar(robot).map_err(PlaceError::from)?,
+        &task.work,
+        &PlaceOptions::under(Load::PAPER),
+        Watch::nobody(),
+    )?;
     Ok(placed.feasible().map(|placement| placement.deflection * 1e3))
 }
 
@@ -279,7 +285,7 @@ fn text_figure(robots: &[Robot], study: &Study, item: &str, cell: &str) -> Resul
         }
         "section III, best link ratio of small tasks" | "section III, best link ratio of large tasks" => {
             let serial = Contender::equal(Architecture::Serial);
-            serial.best_ratio(tasks[0].zone.scaled(last_number()?), study.options.range)?.map(|(mu, _)| mu)
+            serial.best_ratio(tasks[0].work.scaled(last_number()?), study.options.range)?.map(|(mu, _)| mu)
         }
         "section III, size above which quasi-serial is better" => {
             study.boundaries.iter().find(|b| b.task == 0 && b.mu.is_none()).map(|b| b.size)
@@ -287,7 +293,7 @@ fn text_figure(robots: &[Robot], study: &Study, item: &str, cell: &str) -> Resul
         "section III, largest size" => {
             let mu = last_number()?;
             let arm = PlanarArm::free(1.0 / (1.0 + mu), mu / (1.0 + mu), 1.0, 1.0, Architecture::QuasiSerial);
-            Some(largest_scale_without_limits(&arm, tasks[1].zone))
+            Some(largest_scale_without_limits(&arm, tasks[1].work))
         }
         "section IV, stiffest point" => {
             let plane = robot()?.arm_plane().map_err(|error| PlaceError::from(ModelError::from(error)))?;

@@ -10,9 +10,9 @@ pub use standing::{Contestant, Rank, Standing, order};
 
 use crate::load::Load;
 use crate::model::{Model, ModelKind};
-use crate::place::{PlaceError, PlaceOptions, Placed, Placement, find, place_task_watched};
+use crate::place::{PlaceError, PlaceOptions, Placed, Placement, find, place};
 use crate::robot::{Robot, Status};
-use crate::task::Task;
+use crate::task::{Task, Zone};
 use crate::watch::Watch;
 
 /// What a ranking knows of one robot and one task: an error where the search did not end ([`PlaceError::Unfinished`]), or the
@@ -153,14 +153,14 @@ pub struct Curve {
 /// As [`rank`].
 pub fn curves(
     robots: &[Robot],
-    shape: &Task,
+    shape: &Task<Zone>,
     scales: &[f64],
     (kind, options): (&ModelKind, &PlaceOptions),
     watch: Watch,
 ) -> Result<Vec<Curve>, RankError> {
     let parts = watch.parts(Some(robots.len() * scales.len()));
     // The outer `None`: not known; the inner: it does not fit.
-    let found = |model: &Model, scale: f64| find(model, shape.zone.scaled(scale), options, watch.of_part());
+    let found = |model: &Model, scale: f64| find(model, shape.work.scaled(scale), options, watch.of_part());
     let deflection = |robot: &Robot, model: &Model, scale: f64| match found(model, scale) {
         Ok(placement) => Ok(Some(placement.map(|placement| placement.deflection))),
         Err(PlaceError::Unfinished { .. }) => Ok(None),
@@ -257,7 +257,7 @@ pub fn rank(
     Ok(Ranking { in_plane, ..ranking })
 }
 
-fn failed(robot: &Robot, task: &Task, error: PlaceError) -> RankError {
+fn failed<W>(robot: &Robot, task: &Task<W>, error: PlaceError) -> RankError {
     RankError { robot: robot.name.clone(), task: task.label.clone(), error }
 }
 
@@ -276,7 +276,7 @@ fn ranked(
     let parts = watch.parts(Some(pairs.len()));
     let judge = |(robot, task): &(usize, &Task)| {
         let model = models[*robot].as_ref().map_err(Clone::clone);
-        let placed = model.and_then(|model| place_task_watched(model, task, options, watch.of_part()));
+        let placed = model.and_then(|model| place(model, &task.work, options, watch.of_part()));
         parts.one_more().map_err(|error| failed(&robots[*robot], task, error.into()))?;
         match placed {
             Err(error) if !error.is_not_of_the_plane() && !matches!(error, PlaceError::Unfinished { .. }) => {

@@ -147,7 +147,7 @@ pub struct StudyOptions {
     /// The two that are compared.
     pub contenders: [Contender; 2],
     /// Shapes at size 1; sizes scale them.
-    pub tasks: Vec<Task>,
+    pub tasks: Vec<Task<Zone>>,
     /// Sizes over `l2 + l3`.
     pub sizes: Vec<f64>,
     /// Ratios `l3/l2` that are tabulated.
@@ -164,8 +164,10 @@ impl StudyOptions {
     /// # Panics
     /// Never: its notation is fixed.
     pub fn paper() -> Self {
-        let task =
-            |letter: &str| Task { label: letter.into(), ..format!("{letter}:1").parse().expect("a task of the paper") };
+        let task = |letter: &str| Task {
+            label: letter.into(),
+            work: format!("{letter}:1").parse().expect("a zone of the paper"),
+        };
         Self {
             contenders: Architecture::ALL.map(Contender::equal),
             tasks: ["A", "B", "C"].map(task).to_vec(),
@@ -259,7 +261,7 @@ pub fn study_watched(options: &StudyOptions, watch: Watch) -> Result<Study, Stud
     let parts = watch.parts(Some(keys.len() + SCAN * pairs.len()));
     let row = |(task, mu, size, contender): (usize, Option<f64>, f64, usize)| {
         parts.one_more()?;
-        let zone = options.tasks[task].zone.scaled(size);
+        let zone = options.tasks[task].work.scaled(size);
         let found = value(options, contender, zone, mu);
         let ratio = found.map(|(mu, _)| mu).or(mu).map(|chosen| Ratio { mu: chosen, is_best: mu.is_none() });
         Ok(Row { task, size, contender, ratio, accuracy: found.map(|(_, accuracy)| accuracy) })
@@ -269,7 +271,7 @@ pub fn study_watched(options: &StudyOptions, watch: Watch) -> Result<Study, Stud
     let boundaries: Vec<Vec<Boundary>> = found.collect::<Result<_, _>>()?;
     let at_mark = |contender| {
         let Mark { task, mu, size, .. } = options.mark.as_ref()?;
-        value(options, contender, options.tasks[*task].zone.scaled(*size), Some(*mu)).map(|(_, accuracy)| accuracy)
+        value(options, contender, options.tasks[*task].work.scaled(*size), Some(*mu)).map(|(_, accuracy)| accuracy)
     };
     let boundaries = boundaries.into_iter().flatten().collect();
     Ok(Study { options: options.clone(), rows, boundaries, marked: [0, 1].map(at_mark) })
@@ -290,7 +292,7 @@ fn value(options: &StudyOptions, contender: usize, zone: Zone, mu: Option<f64>) 
 /// The sizes at which the order changes, by root finding between the steps of a scan, as long as both fit.
 fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>, parts: &Parts) -> Result<Vec<Boundary>, Stopped> {
     // Nothing larger than the circle that the stretched arm sweeps has a place.
-    let shape = options.tasks[task].zone;
+    let shape = options.tasks[task].work;
     let largest = shape.largest_size();
     let difference = |size: f64| {
         let accuracy = |contender| value(options, contender, shape.scaled(size), mu).map(|(_, accuracy)| accuracy);
@@ -320,9 +322,9 @@ fn check(options: &StudyOptions) -> Result<(), StudyError> {
     within("the link ratio of the robot", LINK_RATIO, marked.clone().map(|mark| mark.mu))?;
     within("a size over l2 + l3", [1e-4, 10.0], options.sizes.iter().copied().chain(marked.map(|mark| mark.size)))?;
     for task in &options.tasks {
-        within("a side of a shape", [1e-3, 1e3], task.zone.sides())?;
+        within("a side of a shape", [1e-3, 1e3], task.work.sides())?;
         for contender in &options.contenders {
-            contender.check(task.zone, [options.range.min(), options.range.max()])?;
+            contender.check(task.work, [options.range.min(), options.range.max()])?;
         }
     }
     let rows = [options.tasks.len(), options.sizes.len(), options.ratios.len() + 1, 2]
@@ -366,7 +368,7 @@ mod tests {
         let mark = Mark::of(&robot, zone).unwrap();
         let (l2, l3) = (1.15_f64, 1.2_f64.hypot(0.041));
         assert!((mark.mu - l3 / l2).abs() < 1e-12 && (mark.size - 0.6 / (l2 + l3)).abs() < 1e-12, "{mark:?}");
-        let tasks = vec![Task { label: "x".into(), ..Zone::Rectangle { width: 1.0, height: 0.4 / 0.6 }.into() }];
+        let tasks = vec![Task { label: "x".into(), work: Zone::Rectangle { width: 1.0, height: 0.4 / 0.6 } }];
         let found = study(&StudyOptions { tasks, mark: Some(mark), ..StudyOptions::paper() }).unwrap();
         for (contender, marked) in found.options.contenders.iter().zip(found.marked) {
             let expected = contender.accuracy(zone.scaled(1.0 / (l2 + l3)), l3 / l2).unwrap().unwrap();
@@ -379,7 +381,7 @@ mod tests {
     fn at_a_boundary_both_are_equal() {
         let study = study(&StudyOptions::paper()).unwrap();
         for Boundary { task, mu, size, .. } in &study.boundaries {
-            let zone = study.options.tasks[*task].zone.scaled(*size);
+            let zone = study.options.tasks[*task].work.scaled(*size);
             let [a, b] = [0, 1].map(|contender| value(&study.options, contender, zone, *mu).unwrap().1);
             assert!((a - b).abs() <= 1e-9 * a, "{a} {b}");
         }

@@ -201,6 +201,7 @@ mod tests {
     use crate::rank::rank;
     use crate::spatial::Pose;
     use crate::task::{Task, Zone};
+    use crate::watch::Watch;
 
     fn robot(name: &str) -> Robot {
         with_prior(&find(name).unwrap_or_else(|| panic!("{name} is in the catalogue")).robot())
@@ -229,7 +230,8 @@ mod tests {
         let robot = robot("KR 210 R2700-2");
         let task: Task = "A:0.3".parse().unwrap();
         let options = PlaceOptions::under(Load::PAPER);
-        let placed = crate::place::place_task(&ModelKind::Planar.of(&robot).unwrap(), &task, &options).unwrap();
+        let placed =
+            crate::place::place(&ModelKind::Planar.of(&robot).unwrap(), &task.work, &options, Watch::nobody()).unwrap();
         let placed = placed.feasible().unwrap();
         let (Hold::Plane { posture: [shoulder, elbow], .. }, Some(found)) =
             (&placed.hold, draws(&robot, Load::PAPER, placed))
@@ -260,7 +262,8 @@ mod tests {
         let mut off = 0.0_f64;
         for load in loads {
             let options = PlaceOptions { within: Some(ahead), ..PlaceOptions::under(load) };
-            let placed = place(&Model::spatial(&robot, &tool).unwrap(), zone, &options).unwrap();
+            let placed =
+                place(&Model::spatial(&robot, &tool).unwrap(), &zone.into(), &options, Watch::nobody()).unwrap();
             let placed = placed.feasible().unwrap();
             let (hold, found) = (placed.space().unwrap(), draws(&robot, load, placed).unwrap());
             let k = robot.drive_compliance().map(|k| k.unwrap());
@@ -293,7 +296,8 @@ mod tests {
             moved: Some(1e-3),
         });
         let (task, options): (Task, _) = ("A:0.3".parse().unwrap(), PlaceOptions::under(Load::PAPER));
-        let placed = crate::place::place_task(&ModelKind::Planar.of(&robot).unwrap(), &task, &options).unwrap();
+        let placed =
+            crate::place::place(&ModelKind::Planar.of(&robot).unwrap(), &task.work, &options, Watch::nobody()).unwrap();
         let placed = placed.feasible().unwrap();
         let sd = 0.1 / 2.0_f64.sqrt();
         let Spread { p05, p95 } = spread(&robot, Load::PAPER, placed).unwrap();

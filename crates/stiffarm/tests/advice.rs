@@ -5,12 +5,12 @@ use stiffarm::catalogue::{find, with_compliance};
 use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::{Model, ModelKind};
-use stiffarm::place::{Hold, PlaceOptions, Placed, Placement, Within, place_task};
+use stiffarm::place::{Hold, PlaceOptions, Placed, Placement, Within, place};
 use stiffarm::plane::PlanarArm;
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
-use stiffarm::task::Task;
+use stiffarm::task::{Task, Work};
 use stiffarm::watch::Watch;
 
 fn robot(name: &str) -> Robot {
@@ -33,8 +33,8 @@ struct Case {
 
 impl Case {
     fn of(model: Model, task: Task, options: &PlaceOptions, tolerance: f64) -> Self {
-        let placed = place_task(&model, &task, options).unwrap();
-        let advice = advise(&model, &task, options, &placed, tolerance, Watch::nobody()).unwrap();
+        let placed = place(&model, &task.work, options, Watch::nobody()).unwrap();
+        let advice = advise(&model, &task.work, options, &placed, tolerance, Watch::nobody()).unwrap();
         Self { model, task, options: *options, placed, tolerance, advice }
     }
 
@@ -62,8 +62,8 @@ impl Case {
     }
 
     /// Placed anew.
-    fn again(&self, task: &Task, options: &PlaceOptions) -> Placement {
-        place_task(&self.model, task, options).unwrap().feasible().expect("it has a place").clone()
+    fn again(&self, work: &Work, options: &PlaceOptions) -> Placement {
+        place(&self.model, work, options, Watch::nobody()).unwrap().feasible().expect("it has a place").clone()
     }
 
     /// Values of searches that see the same places agree to the gap of the planar proof, and in space to their refinement.
@@ -74,7 +74,8 @@ impl Case {
     fn check_force(&self, with_force: impl Fn(f64) -> Load) {
         let factor = self.at().force_factor.unwrap();
         assert!((factor * self.best().deflection / self.tolerance - 1.0).abs() < 1e-12);
-        let under = |factor: f64| self.again(&self.task, &PlaceOptions { load: with_force(factor), ..self.options });
+        let under =
+            |factor: f64| self.again(&self.task.work, &PlaceOptions { load: with_force(factor), ..self.options });
         let held = under(factor);
         assert!((held.deflection / self.tolerance - 1.0).abs() < self.agreement(), "{held:?}");
         let bound = self.at().force_factor_bound.unwrap();
@@ -85,15 +86,15 @@ impl Case {
     fn check_zone(&self) {
         let LargestZone { holds, fails_at, .. } = *self.zone();
         let (scale, deflection) = holds.expect("some zone passes");
-        let resolution = match (&self.model, &self.task.part) {
+        let resolution = match (&self.model, &self.task.work) {
             (Model::Planar(_), _) => 1e-3,
-            (Model::Spatial(_), None) => 1e-2,
-            (Model::Spatial(_), Some(_)) => 3e-2,
+            (Model::Spatial(_), Work::Zone(_)) => 1e-2,
+            (Model::Spatial(_), Work::Part(_)) => 3e-2,
         };
         assert!(scale < fails_at && fails_at - scale <= resolution * fails_at, "{:?}", self.zone());
-        let held = self.again(&self.task.scaled(scale), &self.options);
+        let held = self.again(&self.task.work.scaled(scale), &self.options);
         assert!(held.deflection <= self.tolerance && (held.deflection / deflection - 1.0).abs() < 1e-12);
-        let beyond = self.again(&self.task.scaled(fails_at), &self.options);
+        let beyond = self.again(&self.task.work.scaled(fails_at), &self.options);
         assert!(self.tolerance < beyond.deflection, "{} m at {fails_at}", beyond.deflection);
         assert_eq!(self.zone().is_proved, self.tolerance < beyond.lower_bound);
     }
@@ -110,7 +111,7 @@ fn in_the_plane_the_force_and_the_zone_that_are_advised_just_hold() {
         case.check_zone();
         assert!(case.zone().is_proved && case.zone().tried <= 30, "{:?}", case.zone());
         // One per cent more of the size is proved to fail.
-        let more = case.again(&case.task.scaled(1.01 * case.zone().holds.unwrap().0), &case.options);
+        let more = case.again(&case.task.work.scaled(1.01 * case.zone().holds.unwrap().0), &case.options);
         assert!(tolerance < more.lower_bound);
     }
 }
@@ -132,13 +133,17 @@ fn in_space_the_force_and_the_zone_that_are_advised_just_hold() {
 fn a_part_shrinks_as_a_whole() {
     let spindle = Pose::new([0.0, 0.0, 0.25].into(), [0.0, std::f64::consts::FRAC_PI_2, 0.0].into());
     let model = Model::spatial(&robot("KR 210 R2700 extra"), &spindle).unwrap();
-    let part = task("box:0.4x0.3x0.1").part.unwrap().with_faces(&["top".into()]).unwrap();
+    let part = task("box:0.4x0.3x0.1").work.part().unwrap().with_faces(&["top".into()]).unwrap();
     // Where it stands is asked for, so that there is little to search.
     let within = Within { x: Interval::spanning(1.2, 1.7), z: Interval::spanning(0.6, 0.9) };
     let options = PlaceOptions { within: Some(within), ..PlaceOptions::careful(Load::worst(400.0).unwrap()) };
     let task = Task::from(part);
     let value = |scale: f64| {
-        place_task(&model, &task.scaled(scale), &options).unwrap().feasible().expect("it has a place").deflection
+        place(&model, &task.work.scaled(scale), &options, Watch::nobody())
+            .unwrap()
+            .feasible()
+            .expect("it has a place")
+            .deflection
     };
     let tolerance = f64::midpoint(value(1.0), value(0.3));
     let case = Case::of(model.clone(), task.clone(), &options, tolerance);

@@ -5,9 +5,10 @@ use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::part::Part;
-use stiffarm::place::{Orientation, PlaceOptions, Placement, Stance, Within, deflection_field, place, place_part};
+use stiffarm::place::{Orientation, PlaceOptions, Placement, Stance, Within, deflection_field, place};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 const ZONE: Zone = Zone::Rectangle { width: 0.37, height: 0.224 };
 
@@ -26,7 +27,11 @@ fn asked(orientation: Orientation) -> PlaceOptions {
 }
 
 fn best(orientation: Orientation) -> Placement {
-    place(&model(), ZONE, &asked(orientation)).unwrap().feasible().expect("there is a place").clone()
+    place(&model(), &ZONE.into(), &asked(orientation), Watch::nobody())
+        .unwrap()
+        .feasible()
+        .expect("there is a place")
+        .clone()
 }
 
 #[test]
@@ -68,7 +73,13 @@ fn the_turn_that_is_told_is_the_one_that_was_computed() {
 fn the_bound_of_a_round_face_holds_for_every_turn_of_its_part() {
     let part: Part = "part:circle:0.3@0,0,0.1,down".parse().unwrap();
     let placed = |orientation: Orientation| {
-        let placed = place_part(&model(), &part, &PlaceOptions { stance: None, ..asked(orientation) }).unwrap();
+        let placed = place(
+            &model(),
+            &part.clone().into(),
+            &PlaceOptions { stance: None, ..asked(orientation) },
+            Watch::nobody(),
+        )
+        .unwrap();
         placed.feasible().expect("there is a place").clone()
     };
     let fixed: Vec<f64> = (0..8).map(|n| placed(Orientation::Fixed(0.785 * f64::from(n))).deflection).collect();

@@ -15,6 +15,7 @@ use stiffarm::plane::PlanarArm;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 use crate::links;
 
@@ -133,7 +134,7 @@ fn floor_column_and_front_are_a_window() {
         let model = Model::planar(&robot).unwrap();
         for zone in [Zone::Circle { diameter: 0.4 }, Zone::Rectangle { width: 0.3, height: 0.6 }] {
             let case = format!("{} {zone:?}", robot.name);
-            let place = |options: &PlaceOptions| place(&model, zone, options).unwrap();
+            let place = |options: &PlaceOptions| place(&model, &zone.into(), options, Watch::nobody()).unwrap();
             assert!(agree(&place(&asked(margins)), &place(&window(before)), &case), "{case}: no place");
             // Either side of the column where the front is not asked for.
             let around = place(&asked(Margins { front: false, ..margins }));
@@ -156,7 +157,7 @@ fn what_a_careful_engineer_asks_is_kept_in_both_models() {
         let column = column_radius(robot).unwrap();
         for model in [Model::planar(robot).unwrap(), Model::spatial(robot, &spindle).unwrap()] {
             let zone = Zone::Circle { diameter: 0.3 };
-            let place = |options: PlaceOptions| place(&model, zone, &options).unwrap();
+            let place = |options: PlaceOptions| place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
             let case = format!("{} {}", robot.name, model.kind().name());
             let careful = place(PlaceOptions::careful(Load::PAPER));
             let found = careful.feasible().unwrap_or_else(|| panic!("{case}: {careful:?}"));
@@ -181,8 +182,8 @@ fn the_floor_that_is_asked_for_is_the_one_that_the_arm_comes_near_to() {
             let within = Some(Within { x: Interval::spanning(1.0, 2.5), z: Interval::spanning(1.0, 1.4) });
             let options = PlaceOptions { within, ..asked(Margins { floor, ..Margins::NONE }) };
             let zone = Zone::Circle { diameter: 0.2 };
-            let found = place(&model, zone, &options).unwrap();
-            found.feasible().unwrap().clearance(&model, zone, &options.margins).unwrap()
+            let found = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
+            found.feasible().unwrap().clearance(&model, &zone.into(), &options.margins).unwrap()
         };
         let [none, low, high] = [None, Some(-2.0), Some(0.999)].map(nearest);
         let case = model.kind().name();
@@ -203,9 +204,10 @@ fn clearance_in_the_plane_is_that_of_the_lowest_wrist_centre() {
         let radius = |floor: f64| {
             let within = Some(Within { x: Interval::spanning(1.2, 2.5), z: Interval::spanning(-0.3, -0.1) });
             let margins = Margins { floor: Some(floor), ..Margins::NONE };
-            let found = place(&model, zone, &PlaceOptions { within, ..asked(margins) }).unwrap();
+            let found =
+                place(&model, &zone.into(), &PlaceOptions { within, ..asked(margins) }, Watch::nobody()).unwrap();
             let best = found.feasible()?;
-            let clearance = best.clearance(&model, zone, &margins).unwrap();
+            let clearance = best.clearance(&model, &zone.into(), &margins).unwrap();
             assert_eq!(clearance.to, Obstacle::Floor, "{}", robot.name);
             Some(best.centre[1] - 0.1 - floor - clearance.distance)
         };
@@ -221,12 +223,12 @@ fn where_margins_alone_forbid_a_place_that_is_the_reason() {
     let robot = &paper_robots()[0];
     let margins = Margins { column: Column::Radius(2.9), ..Margins::NONE };
     for model in [Model::planar(robot).unwrap(), Model::spatial(robot, &Pose::identity()).unwrap()] {
-        let placed = place(&model, Zone::Circle { diameter: 0.5 }, &asked(margins)).unwrap();
+        let placed = place(&model, &Zone::Circle { diameter: 0.5 }.into(), &asked(margins), Watch::nobody()).unwrap();
         let Placed::Infeasible { reason, .. } = &placed else { panic!("{placed:?}") };
         assert_eq!(*reason, Misfit::Margins, "{}", model.kind().name());
         // Limits that would leave nothing of a range.
         let all = asked(Margins { limit: 1.5, ..Margins::NONE });
-        let placed = place(&model, Zone::Circle { diameter: 0.1 }, &all).unwrap();
+        let placed = place(&model, &Zone::Circle { diameter: 0.1 }.into(), &all, Watch::nobody()).unwrap();
         let Placed::Infeasible { reason, .. } = &placed else { panic!("{placed:?}") };
         assert_eq!(*reason, Misfit::Margins, "{}", model.kind().name());
     }
@@ -242,8 +244,11 @@ fn a_margin_that_makes_no_sense_is_refused() {
         Margins { singular: 2.0, ..Margins::NONE },
         Margins { column: Column::Radius(-1.0), ..Margins::NONE },
     ] {
-        assert!(matches!(place(&model, zone, &asked(margins)), Err(PlaceError::Margin { .. })), "{margins:?}");
+        assert!(
+            matches!(place(&model, &zone.into(), &asked(margins), Watch::nobody()), Err(PlaceError::Margin { .. })),
+            "{margins:?}"
+        );
     }
     let margins = Margins { floor: Some(f64::NAN), ..Margins::NONE };
-    assert!(matches!(place(&model, zone, &asked(margins)), Err(PlaceError::Floor(_))));
+    assert!(matches!(place(&model, &zone.into(), &asked(margins), Watch::nobody()), Err(PlaceError::Floor(_))));
 }

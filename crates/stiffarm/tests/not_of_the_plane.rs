@@ -145,7 +145,8 @@ fn rigid_drives_are_taken_and_two_that_do_not_give_way_are_as_good_as_each_other
     assert_eq!(still.arm_plane(), Err(NoArmPlane::Rigid));
     // By hand: with drive 2 rigid, a serial arm gives way by k3 l3^2 wherever it stands.
     let elbow = rigid("[1, 0, 1, 1, 1, 1]");
-    let placed = place(&Model::planar(&elbow).unwrap(), task.zone, &PlaceOptions::under(Load::PAPER)).unwrap();
+    let placed =
+        place(&Model::planar(&elbow).unwrap(), &task.work, &PlaceOptions::under(Load::PAPER), Watch::nobody()).unwrap();
     let expected = 1e-6 * (1.2_f64.powi(2) + 0.05_f64.powi(2)) * 1000.0;
     assert!((placed.feasible().unwrap().deflection - expected).abs() <= 1e-9 * expected);
     let all = documented().replace("nm = [1, 1, 1, 1, 1, 1]", "nm = [0, 0, 0, 0, 0, 0]");

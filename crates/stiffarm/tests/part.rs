@@ -14,11 +14,12 @@ use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::part::{Face, Part};
 use stiffarm::place::{
-    Hold, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within, place, place_part,
+    Hold, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within, place,
 };
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 /// A spindle that points away from the flange at a right angle.
 fn spindle() -> Pose {
@@ -95,7 +96,7 @@ fn every_face_of_a_part_is_held_as_it_is_said_and_no_other_stand_beats_it() {
     for (seed, robot) in paper_robots().iter().enumerate().step_by(5) {
         let model = Model::spatial(robot, &spindle()).unwrap();
         let options = asked([Orientation::Axes, Orientation::Free][seed / 5 % 2]);
-        let placed = place_part(&model, &part, &options).unwrap();
+        let placed = place(&model, &part.clone().into(), &options, Watch::nobody()).unwrap();
         let best = placed.feasible().unwrap_or_else(|| panic!("{}: {placed:?}", robot.name));
         let case = || format!("{}: {best:#?}", robot.name);
         let stand = Stand::of(best);
@@ -146,7 +147,10 @@ fn a_part_of_one_face_is_a_flat_zone() {
     for robot in paper_robots().iter().step_by(3) {
         let model = Model::spatial(robot, &spindle()).unwrap();
         let options = PlaceOptions { margins: Margins::usual(), ..asked(Orientation::Axes) };
-        let (alone, flat) = (place_part(&model, &part, &options).unwrap(), place(&model, zone, &options).unwrap());
+        let (alone, flat) = (
+            place(&model, &part.clone().into(), &options, Watch::nobody()).unwrap(),
+            place(&model, &zone.into(), &options, Watch::nobody()).unwrap(),
+        );
         let (alone, flat) = (alone.feasible().unwrap(), flat.feasible().unwrap());
         let apart = (alone.deflection - flat.deflection).abs() / flat.deflection;
         assert!(apart < 0.01, "{}: {} {}", robot.name, alone.deflection, flat.deflection);
@@ -165,8 +169,9 @@ fn a_part_stands_before_a_robot_on_a_pedestal_as_before_one_without() {
     let margins = Margins { floor: None, ..Margins::usual() };
     let options = PlaceOptions { margins, within: Some(within), ..asked(Orientation::Axes) };
     let cell = Cell::of(Mount::pedestal(0.6).turned(0.5));
-    let raised = place_part(&model, &part, &PlaceOptions { cell: Some(cell), ..options }).unwrap();
-    let alone = place_part(&model, &part, &options).unwrap();
+    let raised =
+        place(&model, &part.clone().into(), &PlaceOptions { cell: Some(cell), ..options }, Watch::nobody()).unwrap();
+    let alone = place(&model, &part.clone().into(), &options, Watch::nobody()).unwrap();
     let (raised, alone) = (raised.feasible().unwrap(), alone.feasible().unwrap());
     assert_eq!((raised.deflection, raised.centre, raised.angle), (alone.deflection, alone.centre, alone.angle));
     let [x, y, z] = raised.in_cell(&cell);
@@ -174,7 +179,8 @@ fn a_part_stands_before_a_robot_on_a_pedestal_as_before_one_without() {
     let block = Block { x: within.x, y: Interval::spanning(0.5, 1.0), z: within.z };
     let kept_free = Cell { keep_out: std::array::from_fn(|i| (i == 0).then_some(block)), ..cell };
     for other in [Cell::of(Mount::wall(2.0)), Cell::of(Mount::ceiling(3.0)), kept_free] {
-        let found = place_part(&model, &part, &PlaceOptions { cell: Some(other), ..options });
+        let found =
+            place(&model, &part.clone().into(), &PlaceOptions { cell: Some(other), ..options }, Watch::nobody());
         assert!(matches!(found, Err(PlaceError::PartInCell)), "{other:?}: {found:?}");
     }
 }
@@ -188,7 +194,8 @@ fn a_roll_that_is_given_turns_with_the_part() {
     for roll in [0.4, 2.0] {
         let stance = Some(Stance { roll: Some(roll), ..Stance::tool_down() });
         let placed = |orientation: Orientation| {
-            place_part(&model, &part, &PlaceOptions { stance, ..asked(orientation) }).unwrap()
+            place(&model, &part.clone().into(), &PlaceOptions { stance, ..asked(orientation) }, Watch::nobody())
+                .unwrap()
         };
         let free = placed(Orientation::Free);
         let bound = free.feasible().unwrap().lower_bound;
@@ -213,7 +220,7 @@ fn a_force_fixed_to_the_base_proves_nothing_of_a_part() {
     let part = Part::of_box([0.3, 0.2, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
     let model = Model::spatial(&paper_robots()[2], &spindle()).unwrap();
     let load = Load::along_base([100.0, 50.0, -20.0]).unwrap();
-    let placed = place_part(&model, &part, &PlaceOptions::under(load)).unwrap();
+    let placed = place(&model, &part.clone().into(), &PlaceOptions::under(load), Watch::nobody()).unwrap();
     let best = placed.feasible().unwrap();
     assert!(best.lower_bound == 0.0 && 0.0 < best.deflection, "{best:?}");
 }
@@ -226,9 +233,9 @@ fn a_wall_that_faces_the_robot_is_a_part_of_one_side() {
     let robot = &paper_robots()[2];
     let model = Model::spatial(robot, &spindle()).unwrap();
     let options = asked(Orientation::Fixed(0.0));
-    let part = place_part(&model, &part, &options).unwrap();
+    let part = place(&model, &part.clone().into(), &options, Watch::nobody()).unwrap();
     let wall = Stance { yaw: Interval::point(0.0), ..Stance::tool_at(0.0) };
-    let flat = place(&model, zone, &PlaceOptions { stance: Some(wall), ..options }).unwrap();
+    let flat = place(&model, &zone.into(), &PlaceOptions { stance: Some(wall), ..options }, Watch::nobody()).unwrap();
     let (part, flat) = (part.feasible().unwrap(), flat.feasible().unwrap());
     assert!((part.deflection - flat.deflection).abs() < 0.01 * flat.deflection, "{part:?} {flat:?}");
     // The part stands on the underside of what it is a wall of.
@@ -241,12 +248,24 @@ fn a_part_that_has_no_place_says_which_face_has_none() {
     let model = Model::spatial(robot, &spindle()).unwrap();
     let part = Part::of_box([0.3, 0.3, 0.1]).with_faces(&["top".into(), "back".into()]).unwrap();
     let far = Within { x: Interval::spanning(9.0, 12.0), z: Interval::POSITIVE };
-    let placed = place_part(&model, &part, &PlaceOptions { within: Some(far), ..asked(Orientation::Axes) }).unwrap();
+    let placed = place(
+        &model,
+        &part.clone().into(),
+        &PlaceOptions { within: Some(far), ..asked(Orientation::Axes) },
+        Watch::nobody(),
+    )
+    .unwrap();
     let Placed::Infeasible { reason, is_proved, .. } = placed else { panic!("{placed:?}") };
     assert_eq!((reason, is_proved), (Misfit::Face("top".into()), true));
     let planar = Model::planar(robot).unwrap();
-    assert!(matches!(place_part(&planar, &part, &asked(Orientation::Axes)), Err(PlaceError::PartInPlane)));
+    assert!(matches!(
+        place(&planar, &part.clone().into(), &asked(Orientation::Axes), Watch::nobody()),
+        Err(PlaceError::PartInPlane)
+    ));
     let none = Part { label: "none".into(), faces: Vec::new() };
-    assert_eq!(place_part(&model, &none, &asked(Orientation::Axes)), Err(PlaceError::NoFace));
+    assert_eq!(
+        place(&model, &none.clone().into(), &asked(Orientation::Axes), Watch::nobody()),
+        Err(PlaceError::NoFace)
+    );
     assert!((PI - part.faces[1].azimuth).abs() < 1e-12);
 }

@@ -17,6 +17,7 @@ use stiffarm::model::Model;
 use stiffarm::place::{PlaceOptions, Within, place};
 use stiffarm::robot::{Arm, NoArmPlane, Robot};
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 /// Lengths are below 4 m and a dozen operations round each: 1e-12 m is a thousand times more than that.
 const METRE: f64 = 1e-12;
@@ -517,8 +518,13 @@ fn where_a_zone_may_stand_and_its_place_count_from_the_base() {
     let play = |from: f64, to: f64| Interval::spanning(from - 1e-6, to + 1e-6);
     let within = Within { x: play(1.5, 1.7), z: play(1.0, 1.2) };
     let options = PlaceOptions { within: Some(within), ..PlaceOptions::under(Load::PAPER) };
-    let placed =
-        place(&Model::planar(&robot("KR 210 R2700 extra")).unwrap(), Zone::Circle { diameter: 0.2 }, &options).unwrap();
+    let placed = place(
+        &Model::planar(&robot("KR 210 R2700 extra")).unwrap(),
+        &Zone::Circle { diameter: 0.2 }.into(),
+        &options,
+        Watch::nobody(),
+    )
+    .unwrap();
     let [x, z] = placed.feasible().unwrap().centre;
     assert!((x - 1.600).abs() < 1.1e-6 && (z - 1.100).abs() < 1.1e-6, "{x} {z}");
 }
@@ -599,7 +605,13 @@ fn whole_turns_between_the_zeros_of_joints_change_nothing() {
         let value = |second: i32, third: i32| {
             let offsets = format!("[0, {}, {}", 325 + 360 * second, -316 + 360 * third);
             let robot = read(&text.replace("[0, 325, -316", &offsets), "x.toml").unwrap();
-            let placed = place(&Model::planar(&robot).unwrap(), zone, &PlaceOptions::under(Load::PAPER)).unwrap();
+            let placed = place(
+                &Model::planar(&robot).unwrap(),
+                &zone.into(),
+                &PlaceOptions::under(Load::PAPER),
+                Watch::nobody(),
+            )
+            .unwrap();
             placed.feasible().unwrap().deflection
         };
         let expected = value(0, 0);
@@ -614,8 +626,12 @@ fn whole_turns_between_the_zeros_of_joints_change_nothing() {
 #[test]
 fn a_zone_in_an_arm_plane_beside_the_joint_1_axis_is_as_far_from_it_as_it_lies() {
     let robot = stiffarm::catalogue::find("TX90").unwrap().robot();
-    let placed =
-        place(&Model::planar(&robot).unwrap(), Zone::Circle { diameter: 0.1 }, &PlaceOptions::under(Load::PAPER));
+    let placed = place(
+        &Model::planar(&robot).unwrap(),
+        &Zone::Circle { diameter: 0.1 }.into(),
+        &PlaceOptions::under(Load::PAPER),
+        Watch::nobody(),
+    );
     let placed = placed.unwrap();
     let best = placed.feasible().unwrap();
     assert!((best.worst_point[1] - 0.05).abs() < 1e-12, "{best:?}");

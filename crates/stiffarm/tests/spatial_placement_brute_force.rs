@@ -21,6 +21,7 @@ use stiffarm::place::{Column, Orientation, PlaceOptions, Placed, Placement, Spac
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 use crate::cases;
 use crate::questions::{Asked, Question, random_question, random_robot};
@@ -519,7 +520,7 @@ fn a_zone_in_the_arm_plane_has_the_place_that_the_planar_model_proves() {
         let behind = Within { x: anywhere.x.affine(-1.0, 0.0), ..anywhere };
         let proved = [anywhere, behind].map(|within| {
             let options = PlaceOptions { within: Some(within), ..PlaceOptions::under(Load::PAPER) };
-            place(&plane, zone, &options).unwrap()
+            place(&plane, &zone.into(), &options, Watch::nobody()).unwrap()
         });
         let best = proved.iter().filter_map(Placed::feasible);
         let least = |of: fn(&Placement) -> f64| best.clone().map(of).fold(f64::INFINITY, f64::min);

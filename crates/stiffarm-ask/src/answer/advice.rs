@@ -38,7 +38,7 @@ fn zone_record(zone: &LargestZone, task: &Task) -> Record {
     let mut record = Record::new();
     record
         .put(field::SCALE, zone.holds.map(|(scale, _)| scale))
-        .put(field::SIZE_IN_WORDS, zone.holds.map(|(scale, _)| task.scaled(scale).describe()))
+        .put(field::SIZE_IN_WORDS, zone.holds.map(|(scale, _)| task.work.scaled(scale).describe()))
         .put(field::SIDES, zone.holds.map_or(Datum::Absent, |(scale, _)| Datum::Nested(sides(task, scale))))
         .put(field::DEFLECTION, zone.holds.map(|(_, deflection)| deflection))
         .put(field::FAILS_AT, zone.fails_at)
@@ -49,7 +49,7 @@ fn zone_record(zone: &LargestZone, task: &Task) -> Record {
 
 /// Of a flat zone its sides, m; null of a part.
 fn sides(task: &Task, scale: f64) -> serde_json::Value {
-    if task.part.is_some() { serde_json::Value::Null } else { json!(task.zone.scaled(scale).sides()) }
+    json!(task.work.zone().map(|zone| zone.scaled(scale).sides()))
 }
 
 /// For people, behind the verdict: the reserve where the tolerance is kept, else everything that would help.
@@ -89,7 +89,7 @@ pub(super) fn sentence(advice: &Advice, (task, load): Asked) -> String {
     };
     let size = match zone.holds {
         Some((scale, _)) => {
-            format!(" or by a zone of {} of the size ({})", down(scale), task.scaled(scale).describe())
+            format!(" or by a zone of {} of the size ({})", down(scale), task.work.scaled(scale).describe())
         }
         None => format!(" and by no zone of this shape down to {} of its size", percentages(&[SMALLEST])),
     };
@@ -131,7 +131,7 @@ fn largest(zone: &LargestZone, task: &Task) -> String {
     let fails = if zone.is_proved { "none passes, which is proved" } else { "none was found to pass" };
     match zone.holds {
         Some((scale, _)) => {
-            format!("{} of the size ({}); at {at} {fails}", down(scale), task.scaled(scale).describe())
+            format!("{} of the size ({}); at {at} {fails}", down(scale), task.work.scaled(scale).describe())
         }
         None => format!("none: even at {at} of the size {fails} ({SMALLEST} is the smallest that is tried)"),
     }

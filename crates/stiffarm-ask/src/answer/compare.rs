@@ -31,7 +31,7 @@ const LINES: [(&str, Says); 20] = [
     ("model", |side| Some(side.model.name().into())),
     ("tool", |side| if let ModelKind::Spatial(tool) = &side.model { Some(words::tool(tool)) } else { None }),
     ("force", |side| Some(words::acting(side.options.load))),
-    ("task", |side| Some(format!("{} ({})", side.task.label, side.task.describe()))),
+    ("task", |side| Some(format!("{} ({})", side.task.label, side.task.work.describe()))),
     ("allowed place", |side| Some(side.allowed())),
     ("margins", |side| Some(margins::angles(&side.options.margins))),
     (
@@ -115,7 +115,7 @@ impl CompareAnswer {
             ("model", a.model.name() != b.model.name()),
             ("tool", tool(a) != tool(b)),
             ("force", a.options.load != b.options.load),
-            ("task", !a.task.is_same_work(&b.task)),
+            ("task", !a.task.work.is_same(&b.task.work)),
             ("tolerance", a.tolerance_mm != b.tolerance_mm),
             ("place", elsewhere(a) != elsewhere(b)),
         ];

@@ -15,8 +15,8 @@ use stiffarm::mill::Station;
 use stiffarm::place::{FacePlacement, Placement, Within};
 use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
+use stiffarm::task::{Work, Zone};
 use stiffarm::work::{WorkPlacement, WorkPlane};
-use stiffarm::zone::Zone;
 
 /// Room in a window that rounding leaves, m.
 const NO_ROOM: f64 = 1e-7;
@@ -58,8 +58,11 @@ impl PlaceAnswer {
             let at = Point3::from(turn * at);
             <[f64; 3]>::from(cell.map_or(at, |cell| cell.mount.cell_from_base * at))
         };
-        let rims = if best.faces.is_empty() { vec![self.rim(best)] } else { best.faces.iter().map(rim_of).collect() };
-        let is_part = !best.faces.is_empty();
+        let rims = match &self.task.work {
+            Work::Zone(zone) => vec![self.rim(*zone, best)],
+            Work::Part(_) => best.faces.iter().map(rim_of).collect(),
+        };
+        let is_part = self.task.work.part().is_some();
         let x_axis = placed(Vector3::new(best.angle.cos(), best.angle.sin(), 0.0));
         let origin = placed(Vector3::zeros());
         let [x, z] = best.centre;
@@ -93,13 +96,13 @@ impl PlaceAnswer {
     /// The zone may stand in one place only: its window is no larger than itself.
     pub fn is_at_one_place(&self) -> bool {
         let window = self.options.within;
-        let fits = |best: &Placement, within: Within| {
-            let rim = self.rim(best);
+        let fits = |zone: Zone, best: &Placement, within: Within| {
+            let rim = self.rim(zone, best);
             let room = |window: Interval, axis: usize| window.width() - extent(&rim, axis);
             room(within.x, 0) < NO_ROOM && room(within.z, 2) < NO_ROOM
         };
-        let best = self.best().filter(|best| best.faces.is_empty());
-        best.zip(window).is_some_and(|(best, within)| fits(best, within))
+        let placed = self.task.work.zone().zip(self.best());
+        placed.zip(window).is_some_and(|((zone, best), within)| fits(zone, best, within))
     }
 
     /// At which place it stands, in words.
@@ -116,8 +119,8 @@ impl PlaceAnswer {
     }
 
     /// The rim of the zone straight ahead, from the base.
-    fn rim(&self, best: &Placement) -> Vec<Vector3<f64>> {
-        let corners = corners(self.task.zone);
+    fn rim(&self, zone: Zone, best: &Placement) -> Vec<Vector3<f64>> {
+        let corners = corners(zone);
         let [x, z] = best.centre;
         match best.space() {
             None => {
@@ -224,7 +227,7 @@ mod tests {
     use stiffarm::load::Load;
     use stiffarm::model::ModelKind;
     use stiffarm::part::Part;
-    use stiffarm::place::{PlaceOptions, place_task_watched};
+    use stiffarm::place::{PlaceOptions, place};
     use stiffarm::spatial::Pose;
     use stiffarm::task::Task;
     use stiffarm::toolpath::Builtin;
@@ -234,7 +237,7 @@ mod tests {
         let robot = paper_robots().swap_remove(4);
         let (model, task) = (kind.of(&robot).unwrap(), task.parse::<Task>().unwrap());
         let options = PlaceOptions::under(Load::PAPER);
-        let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
+        let placed = place(&model, &task.work, &options, Watch::nobody()).unwrap();
         PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None }
     }
 
@@ -290,7 +293,7 @@ mod tests {
         let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
         let (model, task) = (kind.of(&robot).unwrap(), Task::from(part));
         let options = PlaceOptions::under(Load::PAPER);
-        let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
+        let placed = place(&model, &task.work, &options, Watch::nobody()).unwrap();
         let answer = PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None };
         let (best, layout) = (answer.best().unwrap(), answer.layout().unwrap());
         let ([x, z], (s, c)) = (best.centre, best.angle.sin_cos());

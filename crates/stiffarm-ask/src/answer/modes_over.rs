@@ -6,7 +6,7 @@ use stiffarm::mass::RigidBody;
 use stiffarm::modes::{HeldTool, ModeOverZone, SwingOverZone, left_out};
 use stiffarm::place::{PlaceOptions, Placement, SpaceHold};
 use stiffarm::robot::Robot;
-use stiffarm::task::Task;
+use stiffarm::task::{Task, Zone};
 
 use super::compliance::vector;
 use super::modes::{left_out_note, tool_note};
@@ -20,7 +20,7 @@ pub struct ModesOverAnswer {
     /// Which robot.
     pub robot: Robot,
     /// Which zone.
-    pub task: Task,
+    pub task: Task<Zone>,
     /// Where it stands.
     pub options: PlaceOptions,
     /// How it is held there.
@@ -160,7 +160,7 @@ impl ModesOverAnswer {
             format!(
                 "zone: {} ({}), {}; its middle at x {} m, z {} m from the base",
                 task.label,
-                task.describe(),
+                task.work.describe(),
                 direction(options.stance().elevation),
                 fixed(x, 3),
                 fixed(z, 3)

@@ -70,9 +70,9 @@ impl PlaceAnswer {
     pub fn table(&self) -> Table {
         let Self { robot, model, task, options, placed, .. } = self;
         let mut lines = vec![line("robot", words::robot(robot)), line(stiffness::LINE, stiffness(robot))];
-        let zone = format!("{} ({})", task.label, task.describe());
+        let zone = format!("{} ({})", task.label, task.work.describe());
         match model {
-            ModelKind::Spatial(flange_from_tool) if task.part.is_some() => {
+            ModelKind::Spatial(flange_from_tool) if task.work.part().is_some() => {
                 lines.push(line("task", zone));
                 lines.push(line("tool", tool(flange_from_tool)));
             }
@@ -440,7 +440,7 @@ fn largest(task: &Task, scale: f64) -> String {
     if scale == 0.0 {
         "none: no zone of this shape fits, however small".into()
     } else {
-        format!("{scale:.4} of the size asked for ({})", task.scaled(scale).describe())
+        format!("{scale:.4} of the size asked for ({})", task.work.scaled(scale).describe())
     }
 }
 
@@ -482,7 +482,7 @@ pub(super) fn clearance(
     best: &Placement,
 ) -> Option<Clearance> {
     let model = model.of(robot).expect("the model that has found the place");
-    best.clearance(&model, task.zone, &options.margins)
+    best.clearance(&model, &task.work, &options.margins)
 }
 
 /// Adds what was sought beside a placement.

@@ -10,7 +10,7 @@ use stiffarm::map::{Grid, MapError, PointsBetween, map_watched};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::modes::first_frequencies;
 use stiffarm::palette::FORCE;
-use stiffarm::place::{Placement, Within, place_task_watched};
+use stiffarm::place::{Placement, Within, place};
 use stiffarm::watch::Watch;
 
 use super::context::Context;
@@ -49,8 +49,8 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, Ask
     let zone = match asked.zone() {
         None => None,
         Some(task) => {
-            let options = asked.place_options(Some(task.zone))?;
-            let search = |watch: Watch| place_task_watched(&model, &task.zone.into(), &options, watch);
+            let options = asked.place_options(Some(task.work))?;
+            let search = |watch: Watch| place(&model, &task.work.into(), &options, watch);
             let placed = context
                 .watched("searching places", search)
                 .map_err(|error| AskError::Place { robot: robot.name.clone(), error })?;
@@ -61,7 +61,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, Ask
                 ));
             }
             let robot = robot.clone();
-            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm, advice: None })
+            Some(PlaceAnswer { robot, model: kind, task: task.into(), options, placed, tolerance_mm, advice: None })
         }
     };
     Ok(MapOutput {
@@ -111,7 +111,7 @@ impl<'a> Drawn<'a> {
         let best = answer.zone.as_ref().and_then(|zone| zone.placed.feasible());
         let posture = answer.posture();
         let tolerance_mm = answer.zone.as_ref().and_then(|zone| zone.tolerance_mm);
-        let mark = answer.zone.as_ref().zip(best).map(|(zone, best)| mark(zone, best));
+        let mark = answer.zone.as_ref().zip(best).and_then(|(placed, best)| mark(placed, best));
         Self {
             answer,
             layer: Layer::Deflection,
@@ -266,14 +266,14 @@ fn subtitle(answer: &MapAnswer) -> String {
 }
 
 /// A zone in the plane of its map.
-fn mark(zone: &PlaceAnswer, best: &Placement) -> ZoneMark {
-    let [x, _, z] = best.worst_point;
-    ZoneMark {
-        zone: zone.task.zone,
-        rim: rim(zone.task.zone, best.centre, best.angle),
+fn mark(placed: &PlaceAnswer, best: &Placement) -> Option<ZoneMark> {
+    let (zone, [x, _, z]) = (placed.task.work.zone()?, best.worst_point);
+    Some(ZoneMark {
+        zone,
+        rim: rim(zone, best.centre, best.angle),
         worst_point: [x, z],
-        label: format!("{}: {:.3} mm at worst", zone.task.label, Unit::Millimetre.told(best.deflection)),
-    }
+        label: format!("{}: {:.3} mm at worst", placed.task.label, Unit::Millimetre.told(best.deflection)),
+    })
 }
 
 /// In which forms it is shown.

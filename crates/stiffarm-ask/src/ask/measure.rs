@@ -17,11 +17,11 @@ fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
     let mut options = asked.measurement_plan();
     let mut work = "anywhere within the limits".to_owned();
-    if asked.is_given(opt::TASK) {
-        let task = asked.task()?;
+    if asked.is_given(opt::FLAT_TASK) {
+        let task = asked.flat_task()?;
         work = format!("{} at its best place, tool down", task.label);
         let tool = asked.tool_pose().tool();
-        let found = context.watched("placing", |watch| over(&robot, &tool, task.zone, watch));
+        let found = context.watched("placing", |watch| over(&robot, &tool, task.work, watch));
         options.work = found.map_err(|error| failed(&robot, error))?;
     }
     Ok((robot, options, work))

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use stiffarm::modes::modes_over;
-use stiffarm::place::{Placed, place_task_watched};
+use stiffarm::place::{Placed, place};
 
 use super::context::Context;
 use super::reports::{self, Inputs};
@@ -18,14 +18,14 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOv
     stiffarm::modes::SwingingArm::new(&robot, &tool).map_err(AskError::Modes)?;
     let failure = |error| AskError::Place { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let placed = context.watched("placing the zone", |watch| place_task_watched(&model, &task, &options, watch));
+    let placed = context.watched("placing the zone", |watch| place(&model, &task.work.into(), &options, watch));
     let best = match placed.map_err(failure)? {
         Placed::Feasible(best) => best,
         Placed::Infeasible { reason, .. } => {
             return Err(AskError::NoPlace { robot: robot.name.clone(), task: task.label, reason });
         }
     };
-    let over = modes_over(&model, task.zone, &options, &best, &tool).map_err(AskError::Modes)?;
+    let over = modes_over(&model, task.work, &options, &best, &tool).map_err(AskError::Modes)?;
     let answer = ModesOverAnswer { robot, task, options, best, tool, count: asked.mode_count(), over };
     Ok(ModesOverOutput { answer, asked, inputs: Inputs::of(asked, context) })
 }

@@ -7,8 +7,9 @@ use serde_json::{Value, json};
 use stiffarm::advice::advise;
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelError, ModelKind};
-use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task_watched};
+use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place};
 use stiffarm::robot::Robot;
+use stiffarm::task::{Work, Zone};
 use stiffarm::watch::Watch;
 
 use super::context::Context;
@@ -21,7 +22,7 @@ use crate::figures::FigureSize;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
+use crate::figures::view3d::{self, Cell, Point, Sheet, View};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, Sketch};
 use crate::report::Report;
 
@@ -52,15 +53,15 @@ impl PlaceOutput {
     /// Places what is asked for, and seeks what its tolerance says of force, stiffness and size.
     pub(crate) fn of(asked: &Request, robot: Robot, context: Context) -> Result<Self, AskError> {
         let (task, kind, robot) = (asked.task()?, asked.model(), asked.equipped(robot)?);
-        let options = under_process(asked, context)?.place_options(Some(task.zone))?;
+        let options = under_process(asked, context)?.place_options(task.work.zone())?;
         let figure_size = FigureSize::of(asked)?;
         let failure = |error| AskError::Place { robot: robot.name.clone(), error };
         let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-        let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
+        let search = |watch: Watch| place(&model, &task.work, &options, watch);
         let placed = context.watched("searching places", search).map_err(failure)?;
         let tolerance_mm = asked.tolerance_mm();
         let sought = |mm: f64| {
-            let advised = |watch: Watch| advise(&model, &task, &options, &placed, mm / 1e3, watch);
+            let advised = |watch: Watch| advise(&model, &task.work, &options, &placed, mm / 1e3, watch);
             context.watched("placing smaller zones", advised)
         };
         let advice = tolerance_mm.filter(|_| context.advises).map(sought).transpose().map_err(failure)?;
@@ -90,18 +91,18 @@ impl PlaceOutput {
     }
 
     /// What is drawn, where there is something.
-    fn feasible(&self) -> Result<(&Placement, Option<&SpaceHold>), AskError> {
+    fn feasible(&self) -> Result<(Zone, &Placement), AskError> {
         let PlaceAnswer { robot, task, placed, .. } = &self.answer;
-        match placed {
-            Placed::Feasible(best) if !best.faces.is_empty() => {
+        match (&task.work, placed) {
+            (Work::Part(_), Placed::Feasible(_)) => {
                 let why = format!(
                     "{}: the map shows one flat zone, and {} is a part: `place` has its shop drawing (shop.svg) and its report; or take json, csv or md",
                     robot.name, task.label
                 );
                 Err(AskError::Usage(why))
             }
-            Placed::Feasible(best) => Ok((best, best.space())),
-            Placed::Infeasible { reason, is_proved, .. } => {
+            (Work::Zone(zone), Placed::Feasible(best)) => Ok((*zone, best)),
+            (_, Placed::Infeasible { reason, is_proved, .. }) => {
                 let proof = if *is_proved { "; it is proved that there is none" } else { "" };
                 let why = format!("{}: no place for {} to draw: {reason}{proof}", robot.name, task.label);
                 Err(AskError::Usage(why))
@@ -135,7 +136,7 @@ impl PlaceOutput {
 
     /// Points of the zone, given along its sides, with their deflections.
     fn field(&self, points: impl IntoIterator<Item = [f64; 2]>) -> Result<Vec<ZonePoint>, AskError> {
-        let (best, _) = self.feasible()?;
+        let (_, best) = self.feasible()?;
         deflection_field(&self.model, &self.answer.options, best, points)
             .map_err(|error| AskError::Place { robot: self.answer.robot.name.clone(), error })
     }
@@ -144,12 +145,14 @@ impl PlaceOutput {
     fn face(&self) -> Result<Vec<ZonePoint>, AskError> {
         let side = |i: usize| 2.0 * i as f64 / (FACE_SIZE - 1) as f64 - 1.0;
         let nodes = (0..FACE_SIZE).flat_map(|j| (0..FACE_SIZE).map(move |i| [side(i), side(j)]));
-        self.field(nodes.map(|node| self.answer.task.zone.at(node)))
+        let (zone, _) = self.feasible()?;
+        self.field(nodes.map(|node| zone.at(node)))
     }
 
     /// The rim of the zone, straight ahead.
     fn rim(&self) -> Result<Vec<Point>, AskError> {
-        Ok(self.field(rim(self.answer.task.zone, [0.0; 2], 0.0))?.iter().map(|point| point.at).collect())
+        let (zone, _) = self.feasible()?;
+        Ok(self.field(rim(zone, [0.0; 2], 0.0))?.iter().map(|point| point.at).collect())
     }
 
     fn drawn<'a>(&self, map: &'a MapAnswer) -> Drawn<'a> {
@@ -158,11 +161,11 @@ impl PlaceOutput {
 
     /// The zone on the section that points straight ahead, and what is seen along the tool axis.
     pub(crate) fn figure(&self, figure_size: FigureSize) -> Result<String, AskError> {
-        let (best, _) = self.feasible()?;
+        let (zone, best) = self.feasible()?;
         let map = self.mapped()?;
         let Model::Spatial(_) = self.model else { return Drawn { figure_size, ..self.drawn(&map) }.svg() };
         let face = FaceFigure {
-            zone: self.answer.task.zone,
+            zone,
             angle: best.angle,
             cells: self
                 .face()?
@@ -190,12 +193,13 @@ impl PlaceOutput {
         if let (Model::Planar(_), _) | (_, Placed::Infeasible { .. }) = (&self.model, &self.answer.placed) {
             return Ok(self.drawn(map));
         }
-        let (best, hold) = self.feasible()?;
+        let (zone, best) = self.feasible()?;
+        let hold = best.space();
         let bearing = hold.map_or(0.0, |hold| hold.bearing);
         // Turned back: the section points straight ahead.
         let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
         let mark = ZoneMark {
-            zone: self.answer.task.zone,
+            zone,
             rim: self.rim()?.into_iter().map(|[x, _, z]| [x, z]).collect(),
             worst_point: [c * wx + s * wy, wz],
             label: self.label(best),
@@ -219,7 +223,8 @@ impl PlaceOutput {
 
     /// The section as the zone is held, arm and rim straight ahead.
     fn sketched(&self, points: usize) -> Result<Sketch, AskError> {
-        let (best, hold) = self.feasible()?;
+        let (_, best) = self.feasible()?;
+        let hold = best.space();
         let map = self.mapped_with(points.clamp(2, MOST_SKETCHED))?;
         let ((s, c), [x, y, z]) = (hold.map_or(0.0, |hold| hold.bearing).sin_cos(), best.worst_point);
         let posture = hold.map_or_else(|| best.posture(), |hold| ArmPosture::Joints(self.straight_ahead(hold)));
@@ -242,7 +247,8 @@ impl PlaceOutput {
     }
 
     fn in_space(&self) -> Result<View, AskError> {
-        let (best, hold) = self.feasible()?;
+        let (_, best) = self.feasible()?;
+        let hold = best.space();
         let map = self.mapped()?;
         let Model::Spatial(_) = self.model else { return Ok(self.drawn(&map).view()) };
         let (s, c) = hold.map_or(0.0, |hold| hold.bearing).sin_cos();
@@ -252,7 +258,7 @@ impl PlaceOutput {
             mm: point.deflection.map(|metres| Unit::Millimetre.told(metres)),
         };
         let face: Vec<Cell> = self.face()?.iter().map(cell).collect();
-        let zone = Zone {
+        let zone = view3d::Zone {
             label: self.label(best),
             rim: self.rim()?.into_iter().map(turned).collect(),
             sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),

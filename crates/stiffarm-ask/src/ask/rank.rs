@@ -38,7 +38,7 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<Ran
     if tasks.is_empty() {
         return Err(AskError::Usage("no task to rank for; give --task".into()));
     }
-    let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
+    let only = if let [task] = tasks.as_slice() { task.work.zone() } else { None };
     let (options, figure_size) = (under_process(asked, context)?.place_options(only)?, FigureSize::of(asked)?);
     let ranking = context.watched("placing zones", |watch| rank(&robots, &tasks, &kind, &options, watch))?;
     let tolerance_mm = asked.tolerance_mm();
@@ -91,7 +91,7 @@ impl RankOutput<'_> {
         let (shapes, styles) = (shapes(tasks), self.styles());
         let mut panels = Vec::new();
         for (shape, marks) in shapes {
-            let largest = 1.01 * largest_scale(&robots, shape.zone);
+            let largest = 1.01 * largest_scale(&robots, shape.work);
             let scales: Vec<f64> = (1..=CURVE_POINTS).map(|i| largest * i as f64 / CURVE_POINTS as f64).collect();
             let options = PlaceOptions { gap: Some(options.gap.unwrap_or(0.0).max(1e-3)), ..*options };
             let asked = (model, &options);
@@ -170,12 +170,12 @@ impl RankOutput<'_> {
 }
 
 /// The distinct shapes among the tasks, at a first side of 1 m, with the first sides asked for.
-pub(crate) fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
-    let mut shapes: Vec<(Task, Vec<f64>)> = Vec::new();
-    for task in tasks {
-        let [first, second] = task.zone.sides();
+pub(crate) fn shapes(tasks: &[Task]) -> Vec<(Task<Zone>, Vec<f64>)> {
+    let mut shapes: Vec<(Task<Zone>, Vec<f64>)> = Vec::new();
+    for zone in tasks.iter().filter_map(|task| task.work.zone()) {
+        let [first, second] = zone.sides();
         let ratio = second / first;
-        let (label, zone) = match task.zone {
+        let (label, work) = match zone {
             Zone::Circle { .. } => ("Circle of diameter d".to_owned(), Zone::Circle { diameter: 1.0 }),
             Zone::Rectangle { .. } => {
                 let times = format!("{ratio:.3}");
@@ -186,7 +186,7 @@ pub(crate) fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
         };
         match shapes.iter_mut().find(|(shape, _)| shape.label == label) {
             Some((_, marks)) => marks.push(first),
-            None => shapes.push((Task { label, ..zone.into() }, vec![first])),
+            None => shapes.push((Task { label, work }, vec![first])),
         }
     }
     shapes

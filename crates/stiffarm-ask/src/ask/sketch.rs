@@ -9,7 +9,7 @@ use crate::forms::Sketch;
 /// Of a map: the arm seen from the side, and the sides of the zone.
 pub(super) fn of_map(answer: &MapAnswer) -> Sketch {
     let robot = answer.model.robot();
-    let sides = answer.zone.as_ref().map(|zone| zone.task.zone);
+    let sides = answer.zone.as_ref().and_then(|placed| placed.task.work.zone());
     let arm = answer.posture().and_then(|posture| answer.model.points(&posture));
     let shown = json!({
         "title": robot.full_name(),

@@ -35,7 +35,7 @@ impl StudyOutput {
     fn panel(&self, task: usize) -> Result<StudyPanel, AskError> {
         let options = &self.0.0.options;
         let shape = &options.tasks[task];
-        let widest = shape.zone.largest_size();
+        let widest = shape.work.largest_size();
         let step = |i: usize, count: usize, low: f64, high: f64| low + (high - low) * i as f64 / (count - 1) as f64;
         let mus: Vec<f64> =
             (0..FIGURE_RATIOS).map(|i| step(i, FIGURE_RATIOS, options.range.min(), options.range.max())).collect();
@@ -94,7 +94,7 @@ impl StudyOutput {
             accuracy: self.0.0.marked,
         });
         let is_letter = !shape.label.contains(':');
-        let shown = if is_letter { format!("({})", shape.zone) } else { "(d: its first side, or its diameter)".into() };
+        let shown = if is_letter { format!("({})", shape.work) } else { "(d: its first side, or its diameter)".into() };
         Ok(StudyPanel {
             mark,
             title: format!("Task {} {shown}", shape.label),

@@ -3,8 +3,8 @@
 use stiffarm::catalogue::is_date;
 
 use super::notation::{
-    block, direction, elevation, force, heading, marker, mount, number, of_tool, open_range, pin, point, roll, shape,
-    spindle, tool, tool_length, way, window, yaw,
+    block, direction, elevation, flat, force, heading, marker, mount, number, of_tool, open_range, pin, point, roll,
+    shape, spindle, tool, tool_length, way, window, yaw,
 };
 use super::value::{Type, Value};
 
@@ -89,8 +89,10 @@ pub enum Kind {
     Date,
     /// What a column is called in a table: `NAME=HEADING`.
     Heading,
-    /// A zone with its size.
+    /// A zone or a part, with its size.
     Task,
+    /// A flat zone with its size.
+    Zone,
     /// A zone at size 1.
     Shape,
     /// An inverse-kinematics solution.
@@ -168,7 +170,8 @@ impl Kind {
             Self::Marker => Type::Marker,
             Self::Way => Type::Way,
             Self::Heading => Type::Heading,
-            Self::Task | Self::Shape => Type::Task,
+            Self::Task => Type::Task,
+            Self::Zone | Self::Shape => Type::Zone,
             Self::Posture => Type::Posture,
         }
     }
@@ -185,6 +188,7 @@ impl Kind {
                 | Self::Flag
                 | Self::Word(_)
                 | Self::Task
+                | Self::Zone
                 | Self::Shape
                 | Self::Posture
                 | Self::Spindle
@@ -251,7 +255,8 @@ impl Kind {
             Self::Direction => direction(text).map(|unit| Value::Point(unit.into())),
             Self::Spindle => spindle(text).map(Value::Tool),
             Self::Task => text.parse().map(Value::Task).map_err(|error: stiffarm::task::TaskError| error.to_string()),
-            Self::Shape => shape(text).map(Value::Task),
+            Self::Zone => flat(text).map(Value::Zone),
+            Self::Shape => shape(text).map(Value::Zone),
             Self::Posture => text
                 .parse()
                 .map(Value::Posture)

@@ -62,7 +62,7 @@ impl Request {
         }
         if let Some(name) = [opt::TOOL_MM.name, opt::TOOL.name]
             .into_iter()
-            .find(|name| !self.is_given(opt::TASK) && self.is_given(name))
+            .find(|name| !self.is_given(opt::FLAT_TASK) && self.is_given(name))
         {
             let why = "says nothing beside geometry without a task: the points sit in the flange frame";
             return Err(self.refused(name, why.into()));
@@ -95,7 +95,7 @@ impl Request {
             );
         }
         let is_of_work = self.value(opt::CRITERION) == Criterion::Prediction;
-        match [opt::TASK.name, opt::TOOL_MM.name].into_iter().find(|name| !is_of_work && self.is_given(name)) {
+        match [opt::FLAT_TASK.name, opt::TOOL_MM.name].into_iter().find(|name| !is_of_work && self.is_given(name)) {
             Some(name) => {
                 let why = "says nothing where the drives themselves are judged; expected the criterion prediction";
                 Err(self.refused(name, why.into()))

@@ -5,7 +5,7 @@ use stiffarm::mass::{RigidBody, ToolWeight};
 use stiffarm::mill::MillHeld;
 use stiffarm::modes::{Damping, HeldTool};
 use stiffarm::place::PlaceOptions;
-use stiffarm::task::Task;
+use stiffarm::task::{Task, Zone};
 
 use super::{Refusal, Request, Verb, opt};
 
@@ -36,19 +36,19 @@ impl Request {
 
     /// Is it asked how the arm swings over a zone, rather than at one posture?
     pub fn swings_over_zone(&self) -> bool {
-        self.verb == Verb::Modes && self.is_given(opt::TASK)
+        self.verb == Verb::Modes && self.is_given(opt::FLAT_TASK)
     }
 
     /// The zone over which it is asked how the arm swings, and how it is placed.
     ///
     /// # Errors
     /// Where zone or place are missing, or together have no answer.
-    pub fn swinging_zone(&self) -> Result<(Task, PlaceOptions), Refusal> {
-        let task = self.task()?;
+    pub fn swinging_zone(&self) -> Result<(Task<Zone>, PlaceOptions), Refusal> {
+        let task = self.flat_task()?;
         if !self.is_given(opt::AT) {
             return Err(self.missing(opt::AT));
         }
-        let options = self.place_options(Some(task.zone))?;
+        let options = self.place_options(Some(task.work))?;
         Ok((task, options))
     }
 

@@ -320,10 +320,19 @@ pub(super) fn tool_length(text: &str) -> Result<(u32, f64), String> {
 ///
 /// # Errors
 /// What was expected.
-pub fn shape(text: &str) -> Result<Task, String> {
+pub fn shape(text: &str) -> Result<Task<Zone>, String> {
     let notation = if text.contains(':') { text.into() } else { format!("{text}:1") };
-    let zone: Zone = notation.parse().map_err(|_| "expected A, B, C, or a shape such as rect:1x3".to_owned())?;
-    Ok(Task { label: text.into(), ..zone.into() })
+    let work = notation.parse().map_err(|_| "expected A, B, C, or a shape such as rect:1x3".to_owned())?;
+    Ok(Task { label: text.into(), work })
+}
+
+/// A flat zone with its size.
+///
+/// # Errors
+/// What was expected.
+pub(super) fn flat(text: &str) -> Result<Task<Zone>, String> {
+    let task: Task = text.parse().map_err(|error: stiffarm::task::TaskError| error.to_string())?;
+    task.flat().ok_or_else(|| "is a part with several faces; expected one flat zone, such as rect:0.6x0.4".into())
 }
 
 /// `a..b`; either end may be left open.

@@ -17,7 +17,7 @@ use stiffarm::mill::{ErrorPart, RollMode, WorkFrame};
 use stiffarm::plane::Elbow;
 use stiffarm::robot::Status;
 use stiffarm::spatial::Pose;
-use stiffarm::task::Task;
+use stiffarm::task::{Task, Zone};
 use stiffarm::toolpath::{ArcCentres, ArcSense, CutterCompensation, Format, IncrementalCycles, LengthUnit, Rotary};
 
 use super::kind::Kind;
@@ -110,6 +110,7 @@ pub(crate) const FEED_DEG: Opt<f64> = Opt::named("feed-deg");
 pub(crate) const FEED_MM_PER_MIN: Opt<f64> = Opt::named("feed-mm-per-min");
 pub(crate) const FIT: Opt<Estimator> = Opt::named("fit");
 pub(crate) const FIXTURE: Opt<String> = Opt::named("fixture");
+pub(crate) const FLAT_TASK: Opt<Task<Zone>> = Opt::named("task");
 pub(crate) const FLOOR: Opt<Option<f64>> = Opt::named("floor");
 pub(crate) const FORCE_AXES: Opt<ForceAxes> = Opt::named("force-axes");
 pub(crate) const FORCE_CONE_DEG: Opt<f64> = Opt::named("force-cone-deg");
@@ -179,7 +180,7 @@ pub(crate) const STIFFNESS_NM_PER_RAD: Opt<f64> = Opt::named("stiffness-nm-per-r
 pub(crate) const STIFFNESS_UNCERTAINTY: Opt<f64> = Opt::named("stiffness-uncertainty");
 pub(crate) const STOCK_MM: Opt<Block> = Opt::named("stock-mm");
 pub(crate) const TASK: Opt<Task> = Opt::named("task");
-pub(crate) const TASKS: Opt<Task> = Opt::named("tasks");
+pub(crate) const TASKS: Opt<Task<Zone>> = Opt::named("tasks");
 pub(crate) const TOLERANCE_MM: Opt<f64> = Opt::named("tolerance-mm");
 pub(crate) const TOOL: Opt<Pose> = Opt::named("tool");
 pub(crate) const TOOL_COM_MM: Opt<f64> = Opt::named("tool-com-mm");
@@ -195,7 +196,7 @@ pub(crate) const WINDOW: Opt<Block> = Opt::named("window");
 pub(crate) const WITHIN: Opt<Window> = Opt::named("within");
 pub(crate) const WORK_FRAME: Opt<WorkFrame> = Opt::named("work-frame");
 pub(crate) const YAW_DEG: Opt<Interval> = Opt::named("yaw-deg");
-pub(crate) const ZONE: Opt<Task> = Opt::named("zone");
+pub(crate) const ZONE: Opt<Task<Zone>> = Opt::named("zone");
 
 #[cfg(test)]
 mod tests {

@@ -162,7 +162,7 @@ impl ToolPose {
 pub fn distinct(tasks: &[Task]) -> Vec<Task> {
     let mut kept: Vec<Task> = Vec::new();
     for task in tasks {
-        if !kept.iter().any(|known| known.is_same_work(task)) {
+        if !kept.iter().any(|known| known.work.is_same(&task.work)) {
             kept.push(task.clone());
         }
     }

@@ -22,7 +22,7 @@ use stiffarm::plane::Elbow;
 use stiffarm::prior::{as_in_the_paper, with_prior};
 use stiffarm::robot::Robot;
 use stiffarm::study::{Contender, Mark, StudyOptions};
-use stiffarm::task::{Task, Zone};
+use stiffarm::task::{Task, Work, Zone};
 use stiffarm::work::{WorkPlacement, WorkPlane};
 
 /// Of a zone that stands at one place on either side, m: for rounding.
@@ -55,7 +55,7 @@ impl Request {
         vec![usual.into()]
     }
 
-    /// The one zone.
+    /// The one task.
     ///
     /// # Errors
     /// Where it is missing.
@@ -63,26 +63,29 @@ impl Request {
         self.tasks().into_iter().next().ok_or_else(|| self.missing(opt::TASK))
     }
 
-    /// The zones; of a study its shapes at size 1.
+    /// The one task of a verb that knows flat zones alone.
+    ///
+    /// # Errors
+    /// Where it is missing.
+    pub fn flat_task(&self) -> Result<Task<Zone>, Refusal> {
+        self.required(opt::FLAT_TASK)
+    }
+
+    /// What is machined, with the faces of parts that are asked for.
     ///
     /// # Panics
     /// Never: that parts have the faces that are asked for is checked when the request is read.
     pub fn tasks(&self) -> Vec<Task> {
         let faces = self.all(opt::FACES);
-        let with_faces = |task: Task| match &task.part {
-            Some(part) if !faces.is_empty() => part.with_faces(&faces).expect("checked when it was read").into(),
+        let with_faces = |task: Task| match &task.work {
+            Work::Part(part) if !faces.is_empty() => part.with_faces(&faces).expect("checked when it was read").into(),
             _ => task,
         };
-        self.works().into_iter().map(with_faces).collect()
-    }
-
-    /// The same with all the faces that parts have.
-    pub(super) fn works(&self) -> Vec<Task> {
-        self.all(if self.verb.setting(opt::TASKS).is_some() { opt::TASKS } else { opt::TASK })
+        self.all(opt::TASK).into_iter().map(with_faces).collect()
     }
 
     /// The zone that a map places.
-    pub fn zone(&self) -> Option<Task> {
+    pub fn zone(&self) -> Option<Task<Zone>> {
         self.get(opt::ZONE)
     }
 
@@ -252,7 +255,7 @@ impl Request {
 
     /// Options under which the middle of a zone stands at one place, and the window that it fills there.
     fn only_place(&self, options: &mut PlaceOptions, at: [f64; 2], zone: Option<Zone>) -> Result<Window, Unsupported> {
-        let zone = zone.filter(|_| self.works().iter().all(|task| task.part.is_none())).ok_or(Unsupported::Middle)?;
+        let zone = zone.ok_or(Unsupported::Middle)?;
         let angle = match options.orientation {
             Orientation::Axes => 0.0,
             Orientation::Fixed(angle) => angle,
@@ -405,21 +408,18 @@ impl Request {
     /// What a study compares; `robot` is that which is to be found among it, where one is asked for.
     ///
     /// # Errors
-    /// Where two architectures or the range are missing, which have defaults; work that is no flat zone, a robot without two links.
+    /// Where two architectures or the range are missing, which have defaults; a robot without two links.
     pub fn study(&self, robot: Option<&Robot>) -> Result<StudyOptions, Refusal> {
         let compared = self.all(opt::COMPARE);
         let [first, second] = *compared.as_slice() else { return Err(self.missing(opt::COMPARE)) };
         let (k2, k3) = (self.for_both(opt::K2)?, self.for_both(opt::K3)?);
-        let (mut tasks, mut mark) = (self.tasks(), None);
-        if let Some(Task { label, zone, part }) = self.get(opt::TASK) {
-            if part.is_some() {
-                return Err(self.refused(opt::TASK, "is a part with several faces; expected one flat zone".into()));
-            }
+        let (mut tasks, mut mark) = (self.all(opt::TASKS), None);
+        if let Some(Task { label, work: zone }) = self.get(opt::FLAT_TASK) {
             if !self.is_given(opt::TASKS) {
                 tasks.clear();
             }
             let [side, _] = zone.sides();
-            tasks.insert(0, Task { label, ..zone.scaled(1.0 / side).into() });
+            tasks.insert(0, Task { label, work: zone.scaled(1.0 / side) });
             let marked = robot.map(|robot| Mark::of(robot, zone)).transpose();
             mark = marked.map_err(|why| self.refused(opt::ROBOT, why.to_string()))?;
         }

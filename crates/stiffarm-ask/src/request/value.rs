@@ -7,7 +7,7 @@ use stiffarm::inverse::Configuration;
 use stiffarm::measure::LoadWay;
 use stiffarm::mill::RollMode;
 use stiffarm::spatial::Pose;
-use stiffarm::task::Task;
+use stiffarm::task::{Task, Zone};
 
 use super::notation::{Angle, Force};
 
@@ -103,6 +103,8 @@ values! {
     Way(LoadWay),
     /// A zone or a part.
     Task(Task),
+    /// A flat zone.
+    Zone(Task<Zone>),
     /// A solution of the inverse kinematics.
     Posture(Configuration),
     /// How the roll is chosen.

@@ -83,6 +83,7 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Date => "date",
         Kind::Heading => "heading",
         Kind::Task => "task",
+        Kind::Zone => "zone",
         Kind::Shape => "shape",
         Kind::Posture => "posture",
     }

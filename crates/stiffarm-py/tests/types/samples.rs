@@ -16,7 +16,7 @@ use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
 use stiffarm::measure::{geometry_plan, plan};
 use stiffarm::modes::{first_frequencies, modes, modes_over};
-use stiffarm::place::{Hold, PlaceError, Placed, place, place_task};
+use stiffarm::place::{Hold, PlaceError, Placed, place};
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
@@ -56,11 +56,11 @@ fn two_links() -> Robot {
 fn placed(robot: &Robot, typed: Typed) -> PlaceAnswer {
     let asked = asked(Verb::Place, typed);
     let (task, kind) = (asked.task().unwrap(), asked.model());
-    let options = asked.place_options(Some(task.zone)).unwrap();
+    let options = asked.place_options(task.work.zone()).unwrap();
     let robot = &asked.equipped(robot.clone()).unwrap();
     let (model, tolerance_mm) = (kind.of(robot).unwrap(), asked.tolerance_mm());
-    let placed = place_task(&model, &task, &options).unwrap();
-    let advised = |mm: f64| advise(&model, &task, &options, &placed, mm / 1e3, Watch::nobody()).unwrap();
+    let placed = place(&model, &task.work, &options, Watch::nobody()).unwrap();
+    let advised = |mm: f64| advise(&model, &task.work, &options, &placed, mm / 1e3, Watch::nobody()).unwrap();
     let advice = tolerance_mm.map(advised);
     PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice }
 }
@@ -220,9 +220,9 @@ pub(crate) fn swings_over_zones() -> Vec<Value> {
         let ((task, options), tool) = (asked.swinging_zone().unwrap(), asked.held_tool().unwrap());
         let robot = asked.equipped(find("KR 210 R2700-2").unwrap().robot()).unwrap();
         let model = asked.model().of(&robot).unwrap();
-        let placed = place(&model, task.zone, &options).unwrap();
+        let placed = place(&model, &task.work.into(), &options, Watch::nobody()).unwrap();
         let best = placed.feasible().expect("a place").clone();
-        let over = modes_over(&model, task.zone, &options, &best, &tool).unwrap();
+        let over = modes_over(&model, task.work, &options, &best, &tool).unwrap();
         ModesOverAnswer { robot, task, options, best, tool, count: 6, over }
     };
     let tool = [("tool-mass-kg", "60"), ("tool-com-mm", "0,0,200"), ("tool-inertia-kg-m2", "1,0,0,1,0,1")];

@@ -8,7 +8,7 @@ use super::MeasureError;
 use crate::inverse::reached;
 use crate::load::Load;
 use crate::model::ModelKind;
-use crate::place::{PlaceError, PlaceOptions, place_watched};
+use crate::place::{PlaceError, PlaceOptions, place};
 use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::task::Zone;
@@ -22,7 +22,7 @@ use crate::work::{Grid, WorkPlacement, WorkPlane};
 pub fn over(robot: &Robot, flange_from_tool: &Pose, zone: Zone, watch: Watch) -> Result<Vec<[f64; 6]>, MeasureError> {
     let no_place = |why: String| MeasureError::NoPlace(format!("{}: {why}", robot.name));
     let model = ModelKind::Spatial(*flange_from_tool).of(robot).map_err(|error| no_place(error.to_string()))?;
-    let placed = place_watched(&model, zone, &PlaceOptions::careful(Load::PAPER), watch);
+    let placed = place(&model, &zone.into(), &PlaceOptions::careful(Load::PAPER), watch);
     let placed = placed.map_err(|error| match error {
         PlaceError::Stopped(stopped) => stopped.into(),
         other => no_place(other.to_string()),

@@ -20,9 +20,9 @@ use crate::inverse::Configuration;
 use crate::load::{Forces, Load};
 use crate::mass::ToolWeight;
 use crate::model::{ArmPosture, Model, ModelKind};
-use crate::part::{Face, Part};
+use crate::part::Face;
 use crate::plane::Elbow;
-use crate::task::{Task, Zone};
+use crate::task::{Work, Zone};
 use crate::tolerances;
 use crate::watch::Watch;
 use crate::work::WorkPlacement;
@@ -268,13 +268,13 @@ impl Placement {
     }
 
     /// The nearest that the arm comes to the floor, the work and itself, in the poses of the answer; `None` where it is not known where the base
-    /// stands. The model and the zone are those of the placement.
+    /// stands. The model and the work are those of the placement.
     ///
     /// The search in space looks at it anyway; in the arm plane it costs far more than the place itself and is computed here, of whoever asks.
-    pub fn clearance(&self, model: &Model, zone: Zone, margins: &Margins) -> Option<Clearance> {
-        match model {
-            Model::Planar(model) => planar::clearance(model, zone, self, margins.floor),
-            Model::Spatial(_) => self.clearance_in_space,
+    pub fn clearance(&self, model: &Model, work: &Work, margins: &Margins) -> Option<Clearance> {
+        match (model, work) {
+            (Model::Planar(model), Work::Zone(zone)) => planar::clearance(model, *zone, self, margins.floor),
+            _ => self.clearance_in_space,
         }
     }
 
@@ -367,14 +367,14 @@ impl Placed {
     }
 }
 
-/// Finds the place of `zone` that minimises the worst deflection inside it, with a certificate (\[paper\], eq. 3).
+/// Finds the place of the work that minimises the worst deflection on it, with a certificate (\[paper\], eq. 3).
 ///
-/// In the plane the zone lies in the arm plane, is reached with one elbow side throughout, and leaves the joint-2 axis outside.
+/// **A zone in the plane** lies in the arm plane, is reached with one elbow side throughout, and leaves the joint-2 axis outside.
 /// Over a zone only the nearest and the farthest distance from that axis matter, `max(sigma(near), sigma(far))`,
 /// because sigma has one valley. Where no limit on absolute angles binds, the optimum is exact (value = lower bound);
 /// else a branch and bound over positions (and angle) proves it to `gap`.
 ///
-/// In space the zone is a flat patch that the tool axis meets at a right angle. Its centre lies in the plane through the joint-1
+/// **A zone in space** is a flat patch that the tool axis meets at a right angle. Its centre lies in the plane through the joint-1
 /// axis that points straight ahead, before the robot or behind it; by symmetry this is any place about the robot, and joint 1
 /// turns there as far as its range is wide enough. One configuration and one roll hold throughout. Every limit is kept everywhere
 /// in the zone, and no joint turns by a quarter turn from where it is at the centre: both are proved by enclosures of the joints
@@ -383,103 +383,53 @@ impl Placed {
 /// ones; it is deterministic, and [`Resolution`] says how finely it looked. A branch and bound over all places then proves a lower
 /// bound (\[theory\], section 7), within 1 % of the value where a bounded number of boxes is enough for that.
 ///
-/// ```
-/// use stiffarm::catalogue::find;
-/// use stiffarm::load::Load;
-/// use stiffarm::model::Model;
-/// use stiffarm::place::{PlaceOptions, place};
-/// use stiffarm::task::Task;
+/// **A part**, in space alone, stands upright, straight ahead, at any turn that the orientation allows; each face is met by the tool at a right
+/// angle, in one configuration and at one roll of its own. The lower bound is that of the face which alone has the worst best place: no place of
+/// the part is better, and how near it comes is told as the gap.
 ///
-/// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
-/// let task: Task = "B:0.5".parse()?; // 0.5 x 1 m
-/// let placed = place(&Model::planar(&robot)?, task.zone, &PlaceOptions::under(Load::PAPER))?;
-/// let best = placed.feasible().ok_or("it fits")?;
-/// assert!((best.deflection - 1.987e-3).abs() < 1e-6 && best.gap() < 1e-4); // m, proved
-/// assert!((best.centre[0] - 1.072).abs() < 1e-3 && (best.centre[1] - 0.675).abs() < 1e-3); // m from the base
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// Where an argument makes no sense or belongs to another model, or the search does not end.
-pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    place_watched(model, zone, options, Watch::nobody())
-}
-
-/// As [`place`], told to somebody.
-pub(crate) fn place_watched(
-    model: &Model,
-    zone: Zone,
-    options: &PlaceOptions,
-    watch: Watch,
-) -> Result<Placed, PlaceError> {
-    check(zone, options)?;
-    match model {
-        Model::Planar(model) => planar::place(model, zone, options, watch),
-        Model::Spatial(model) => spatial::place(model, zone, options, watch),
-    }
-}
-
-/// Finds the place of a part that minimises the worst deflection on all its faces.
-///
-/// The part stands upright, straight ahead, at any turn that the orientation allows; each face is met by the tool at a right angle, in one
-/// configuration and at one roll of its own. The lower bound is that of the face which alone has the worst best place: no place of the part is
-/// better, and how near it comes is told as the gap.
+/// The parts of the work that `watch` is told are what the search looks at; how many there will be is not known.
 ///
 /// ```
 /// use stiffarm::catalogue::find;
 /// use stiffarm::load::Load;
 /// use stiffarm::model::Model;
 /// use stiffarm::part::Part;
-/// use stiffarm::place::{PlaceOptions, place_part};
+/// use stiffarm::place::{PlaceOptions, place};
 /// use stiffarm::spatial::Pose;
+/// use stiffarm::task::Task;
+/// use stiffarm::watch::Watch;
 ///
 /// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
+/// let task: Task = "B:0.5".parse()?; // 0.5 x 1 m
+/// let options = PlaceOptions::under(Load::PAPER);
+/// let placed = place(&Model::planar(&robot)?, &task.work, &options, Watch::nobody())?;
+/// let best = placed.feasible().ok_or("it fits")?;
+/// assert!((best.deflection - 1.987e-3).abs() < 1e-6 && best.gap() < 1e-4); // m, proved
+/// assert!((best.centre[0] - 1.072).abs() < 1e-3 && (best.centre[1] - 0.675).abs() < 1e-3); // m from the base
+///
 /// let spindle = Pose::new([0.0, 0.0, 0.25].into(), [0.0, std::f64::consts::FRAC_PI_2, 0.0].into());
 /// let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()])?;
-/// let placed = place_part(&Model::spatial(&robot, &spindle)?, &part, &PlaceOptions::careful(Load::worst(400.0)?))?;
+/// let options = PlaceOptions::careful(Load::worst(400.0)?);
+/// let placed = place(&Model::spatial(&robot, &spindle)?, &part.into(), &options, Watch::nobody())?;
 /// let best = placed.feasible().ok_or("it fits")?;
-/// assert!(best.faces.iter().all(|face| face.deflection <= best.deflection));
+/// assert!(best.faces.len() == 2 && best.faces.iter().all(|face| face.deflection <= best.deflection));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// Where an argument makes no sense, or the model is planar.
-pub fn place_part(model: &Model, part: &Part, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    place_part_watched(model, part, options, Watch::nobody())
-}
-
-fn place_part_watched(model: &Model, part: &Part, options: &PlaceOptions, watch: Watch) -> Result<Placed, PlaceError> {
-    for face in &part.faces {
-        check(face.zone, options)?;
+/// Where an argument makes no sense or belongs to another model, or the search does not end; [`PlaceError::Stopped`] where the work is no
+/// longer wanted.
+pub fn place(model: &Model, work: &Work, options: &PlaceOptions, watch: Watch) -> Result<Placed, PlaceError> {
+    match work {
+        Work::Zone(zone) => check(*zone, options)?,
+        Work::Part(part) => part.faces.iter().try_for_each(|face| check(face.zone, options))?,
     }
-    match model {
-        Model::Planar(_) => Err(PlaceError::PartInPlane),
-        Model::Spatial(_) if part.faces.is_empty() => Err(PlaceError::NoFace),
-        Model::Spatial(model) => spatial::place_part(model, part, options, watch),
-    }
-}
-
-/// [`place`] of a zone, [`place_part`] of a part.
-///
-/// # Errors
-/// As those.
-pub fn place_task(model: &Model, task: &Task, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    place_task_watched(model, task, options, Watch::nobody())
-}
-
-/// [`place_task`] that somebody waits for. Its parts are what the search looks at; how many there will be is not known.
-///
-/// # Errors
-/// As [`place_task`], and [`PlaceError::Stopped`] where the work is no longer wanted.
-pub fn place_task_watched(
-    model: &Model,
-    task: &Task,
-    options: &PlaceOptions,
-    watch: Watch,
-) -> Result<Placed, PlaceError> {
-    match &task.part {
-        None => place_watched(model, task.zone, options, watch),
-        Some(part) => place_part_watched(model, part, options, watch),
+    match (work, model) {
+        (Work::Zone(zone), Model::Planar(model)) => planar::place(model, *zone, options, watch),
+        (Work::Zone(zone), Model::Spatial(model)) => spatial::place(model, *zone, options, watch),
+        (Work::Part(_), Model::Planar(_)) => Err(PlaceError::PartInPlane),
+        (Work::Part(part), Model::Spatial(_)) if part.faces.is_empty() => Err(PlaceError::NoFace),
+        (Work::Part(part), Model::Spatial(model)) => spatial::place_part(model, part, options, watch),
     }
 }
 
@@ -487,7 +437,7 @@ pub fn place_task_watched(
 /// itself.
 ///
 /// # Errors
-/// As [`place_task_watched`].
+/// As [`place`].
 pub fn find(model: &Model, zone: Zone, options: &PlaceOptions, watch: Watch) -> Result<Option<Placement>, PlaceError> {
     check(zone, options)?;
     match model {

@@ -7,9 +7,10 @@ use stiffarm::model::Model;
 use stiffarm::place::{PlaceError, PlaceOptions, Placed};
 use stiffarm::plane::{Elbow, PlanarArm};
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 pub(crate) fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    stiffarm::place::place(&Model::of_links(arm)?, zone, options)
+    stiffarm::place::place(&Model::of_links(arm)?, &zone.into(), options, Watch::nobody())
 }
 
 pub(crate) fn map(arm: &PlanarArm, options: &MapOptions) -> Result<Grid, MapError> {

@@ -14,6 +14,7 @@ use stiffarm::place::{Column, Margins, Orientation, PlaceError, PlaceOptions, Pl
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
 
 /// What is asked of one robot.
 #[derive(Clone, Debug)]
@@ -64,7 +65,7 @@ impl Asked {
             ..PlaceOptions::under(load)
         };
         let model: Result<Model, ModelError> = Model::spatial(robot, &flange_from_tool);
-        place(&model?, zone, &options)
+        place(&model?, &zone.into(), &options, Watch::nobody())
     }
 }
 

@@ -37,7 +37,7 @@ impl ModesOverAnswer {
     pub fn headline(&self) -> Headline {
         let mut sentences = Vec::new();
         if let Some(first) = self.over.modes.first() {
-            let [name, zone] = [self.robot.full_name(), self.task.describe()];
+            let [name, zone] = [self.robot.full_name(), self.task.work.describe()];
             let [least, largest] = [first.least, first.largest].map(|hertz| fixed(hertz, 2));
             sentences.push(format!(
                 "{name} swings first at {least} to {largest} Hz at the points of {zone} that were looked at."

@@ -40,7 +40,7 @@ impl RankAnswer {
                 "planar #: rank in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere{worst})"
             );
         }
-        if in_plane.is_some() && tasks.iter().any(|task| task.part.is_some()) {
+        if in_plane.is_some() && tasks.iter().any(|task| task.work.part().is_some()) {
             let _ = writeln!(notes, "n/a in the plane: {}", PlaceError::PartInPlane);
         }
         for row in in_plane.as_ref().map_or(rows, |planar| &planar.rows) {

@@ -43,7 +43,7 @@ pub(crate) fn over(answer: &ModesOverAnswer, (asked, inputs): (&Request, &Inputs
     decided.table(answer.table());
     Ok(Report {
         title: format!("How {} swings over {}", answer.robot.full_name(), answer.task.label),
-        asked: format!("{}, its middle where it was given", answer.task.describe()),
+        asked: format!("{}, its middle where it was given", answer.task.work.describe()),
         headline: answer.headline(),
         sections: vec![decided, provenance_of(&answer.robot), repeated(asked, inputs)?],
     })

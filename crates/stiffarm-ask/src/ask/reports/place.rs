@@ -33,7 +33,7 @@ pub(crate) fn of(found: &PlaceOutput, asked: &Request) -> Result<Report, AskErro
     let how = if answer.model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {
         title: format!("{} for {}", answer.robot.full_name(), answer.task.label),
-        asked: format!("{sought} of {} ({}), {how}", answer.task.label, answer.task.describe()),
+        asked: format!("{sought} of {} ({}), {how}", answer.task.label, answer.task.work.describe()),
         headline: answer.headline(),
         sections,
     })

@@ -6,7 +6,7 @@ use stiffarm::model::ModelKind;
 use stiffarm::place::Placed;
 use stiffarm::rank::{Ranking, Row};
 use stiffarm::study::{StudyOptions, study};
-use stiffarm::task::Task;
+use stiffarm::task::{Task, Zone};
 
 use super::place;
 use super::said::{figure_size, meaning, repeated};
@@ -157,7 +157,7 @@ fn boundary(answer: &RankAnswer, found: &RankOutput) -> Result<Option<Section>, 
     if *model != ModelKind::Planar || !load.is_worst() {
         return Ok(None);
     }
-    let tasks: Vec<Task> = shapes(tasks).into_iter().map(|(shape, _)| shape).collect();
+    let tasks: Vec<Task<Zone>> = shapes(tasks).into_iter().map(|(shape, _)| shape).collect();
     let study = StudyAnswer(study(&StudyOptions { tasks, ..StudyOptions::paper() })?);
     let mut section = Section::new("Serial or quasi-serial?").on_new_page();
     section.text("Which architecture suits which size, for arms without joint limits whose drives are all alike: below each boundary one of them gives way less, above it the other.");

@@ -119,9 +119,9 @@ pub(super) const ROWS: &[Setting] = &[
         example: "true",
         ..ROW
     }),
-    opt::TASK.row(Setting {
+    opt::FLAT_TASK.row(Setting {
         verbs: MEASURE,
-        kind: Kind::Task,
+        kind: Kind::Zone,
         value: "TASK",
         absent: Absent::Means("anywhere within the limits"),
         help: "The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at its best place, the tool down",

@@ -39,9 +39,9 @@ pub(super) const ROWS: &[Setting] = &[
         example: "KR 210 R2700 extra",
         ..ROW
     }),
-    opt::TASK.row(Setting {
+    opt::FLAT_TASK.row(Setting {
         verbs: STUDY,
-        kind: Kind::Task,
+        kind: Kind::Zone,
         value: "TASK",
         help: "A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which architecture is stiffer there",
         example: "rect:0.6x0.4",

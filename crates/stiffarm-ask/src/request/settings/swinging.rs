@@ -54,9 +54,9 @@ pub(super) const ROWS: &[Setting] = &[
         excludes: &["task"],
         ..JOINTS
     },
-    opt::TASK.row(Setting {
+    opt::FLAT_TASK.row(Setting {
         verbs: MODES,
-        kind: Kind::Task,
+        kind: Kind::Zone,
         value: "TASK",
         excludes: &["joints-deg", "damping-ratio"],
         help: "Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the least and the largest frequencies, and a proved least first frequency",

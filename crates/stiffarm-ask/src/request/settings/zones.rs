@@ -134,7 +134,7 @@ pub(super) const ROWS: &[Setting] = &[
     opt::ZONE.row(Setting {
         verbs: MAP,
         of: Of::Planar,
-        kind: Kind::Task,
+        kind: Kind::Zone,
         value: "TASK",
         help: "Draw the best placement of this task",
         example: "B:0.5",

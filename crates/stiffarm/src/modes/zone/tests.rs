@@ -9,6 +9,7 @@ use crate::mass::{Carrier, Mass, RigidBody};
 use crate::model::Model;
 use crate::place::{Hold, Orientation, PlaceOptions, Placed, place};
 use crate::robot::{Arm, Robot};
+use crate::watch::Watch;
 
 /// A KR 210 with masses; every other one a parallelogram with rod, counterweight and compensator.
 fn robot(case: usize) -> Robot {
@@ -170,7 +171,9 @@ fn over_a_placed_zone_least_and_largest_are_those_of_a_finer_grid_and_the_bound_
     let model = Model::spatial(&robot, &tool.flange_from_tool).unwrap();
     for zone in [Zone::Rectangle { width: 0.4, height: 0.6 }, Zone::Circle { diameter: 0.5 }] {
         let options = PlaceOptions { orientation: Orientation::Fixed(0.4), ..PlaceOptions::under(Load::PAPER) };
-        let Placed::Feasible(best) = place(&model, zone, &options).unwrap() else { panic!("a place") };
+        let Placed::Feasible(best) = place(&model, &zone.into(), &options, Watch::nobody()).unwrap() else {
+            panic!("a place")
+        };
         let over = modes_over(&model, zone, &options, &best, &tool).unwrap();
         let Hold::Space(hold) = &best.hold else { panic!("in space") };
         let (work, arm) = (hold.work(&best), SwingingArm::new(&robot, &tool).unwrap());

@@ -352,7 +352,8 @@ mod tests {
     fn the_paper_robots_typical_zones_are_proved_to_a_few_percent() {
         for (case, (zone, tool, options)) in typical().iter().enumerate() {
             for robot in paper_robots().iter().skip(case % 2).step_by(2) {
-                let placed = place(&Model::spatial(robot, tool).unwrap(), *zone, options).unwrap();
+                let placed =
+                    place(&Model::spatial(robot, tool).unwrap(), &(*zone).into(), options, Watch::nobody()).unwrap();
                 let Placed::Feasible(best) = placed else { continue };
                 let gap = 1.0 - best.lower_bound / best.deflection;
                 // A wall is met by wrists that turn far: of one robot the proof gets no nearer.
@@ -374,7 +375,8 @@ mod tests {
                 let roll_is_free = arm.tool_turns_about_axis_6();
                 let region = region(&arm, question.within);
                 let branch_and_bound = BranchAndBound::new(&arm, zone, &question, region, roll_is_free);
-                let placed = place(&Model::spatial(robot, &tool).unwrap(), zone, &options).unwrap();
+                let placed =
+                    place(&Model::spatial(robot, &tool).unwrap(), &zone.into(), &options, Watch::nobody()).unwrap();
                 let Some(best) = placed.feasible() else { continue };
                 let hold = best.space().unwrap();
                 let (worst, _) = compliance(robot, &hold.joints, &tool).unwrap().compliance.worst();
@@ -399,7 +401,7 @@ mod tests {
         for (robot, (load, most)) in paper_robots().iter().step_by(2).zip(loads) {
             let model = Model::spatial(robot, &tool).unwrap();
             let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(load) };
-            let best = place(&model, zone, &options).unwrap().feasible().cloned().unwrap();
+            let best = place(&model, &zone.into(), &options, Watch::nobody()).unwrap().feasible().cloned().unwrap();
             let hold = best.space().unwrap();
             let gap = 1.0 - best.lower_bound / best.deflection;
             assert!((0.0..most).contains(&gap), "{} under {load:?}: {gap}", robot.name);
@@ -440,7 +442,7 @@ mod tests {
         let robot = &paper_robots()[0];
         let model = Model::spatial(robot, &Pose::identity()).unwrap();
         let options = PlaceOptions::under(Load::UNIT);
-        let placed = place(&model, Zone::Circle { diameter: 6.0 }, &options).unwrap();
+        let placed = place(&model, &Zone::Circle { diameter: 6.0 }.into(), &options, Watch::nobody()).unwrap();
         assert!(matches!(placed, Placed::Infeasible { is_proved: true, .. }), "{placed:?}");
     }
 }

@@ -57,6 +57,7 @@ mod tests {
     use crate::place::{Orientation, deflection_field, place};
     use crate::spatial::Pose;
     use crate::task::Zone;
+    use crate::watch::Watch;
 
     #[test]
     fn the_largest_deflection_across_a_zone_is_that_of_its_placement() {
@@ -71,7 +72,7 @@ mod tests {
             let model = Model::spatial(robot, &Pose::translation(0.0, 0.05, 0.2)).unwrap();
             let stance = Stance { elevation, yaw, roll: None };
             let options = PlaceOptions { stance: Some(stance), orientation, ..PlaceOptions::under(Load::PAPER) };
-            let placed = place(&model, zone, &options).unwrap();
+            let placed = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
             let found = placed.feasible().unwrap_or_else(|| panic!("{}: no place", robot.name));
             let side = |i: i32| f64::from(i) / 20.0 - 1.0;
             let points = (0..=40).flat_map(|j| (0..=40).map(move |i| zone.at([side(i), side(j)])));
