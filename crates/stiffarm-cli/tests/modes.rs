@@ -127,7 +127,7 @@ fn a_zone_without_a_place_and_what_is_of_one_posture_are_refused() {
     refused(&[ASKED, &["--task", "rect:0.4x0.6", "--at", "1.5,0.8"]], "--joints-deg");
     refused(&[OVER, &["--damping-ratio", "0.05"]], "--damping-ratio");
     refused(&[bare, &["--task", "rect:0.4x0.6", "--at", "9,0.8"]], "no place for rect:0.4x0.6");
-    refused(&[bare, &["--task", "box:0.4x0.3x0.2", "--at", "1.5,0.8"]], "is the middle of one flat zone");
+    refused(&[bare, &["--task", "box:0.4x0.3x0.2", "--at", "1.5,0.8"]], "expected one flat zone");
     refused(
         &[&["modes", "KR 210 R2700 extra", "--task", "rect:0.4x0.6", "--at", "1.5,0.8"]],
         "no masses in the robot file",

@@ -219,7 +219,7 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         ),
         (&["map", "BT200L", "--within", "1..2,.."], 2, "--within needs --zone"),
         (&["study", "--robot", "BT200L"], 2, "--robot needs --task"),
-        (&["study", "--task", "box:0.2x0.2x0.1"], 2, "--task is a part with several faces; expected one flat zone"),
+        (&["study", "--task", "box:0.2x0.2x0.1"], 2, "'--task <TASK>': expected one flat zone"),
         (&["study", "--task", "B:0.5", "--robot", "no such"], 1, "robot 'no such' is not known"),
         (&["study", "--ratios", "nan"], 2, "for '--ratios <RATIOS>': expected a number from 0.05"),
         (&["study", "--compare", "serial"], 2, "--compare has 1 architectures; expected two"),
@@ -461,7 +461,7 @@ fn a_part_is_placed_with_its_faces() {
         ([&place[..], &spindle, &["--faces", "under"]].concat(), "no face 'under'; this part has top, front"),
         ([&place[..], &spindle, &["--tool-direction", "down"]].concat(), "a part says itself how the tool meets"),
         ([flat, &["--model", "spatial", "--faces", "top"]].concat(), "a flat zone is one face"),
-        (vec!["map", "BT200L", "--zone", "box:0.3x0.2x0.1"], "a map draws one flat zone"),
+        (vec!["map", "BT200L", "--zone", "box:0.3x0.2x0.1"], "expected one flat zone"),
         (vec!["place", "BT200L", "--task", "box:0.3x0.2"], "expected box:AxBxC"),
     ] {
         let (_, errors) = refused(&arguments);

@@ -332,7 +332,7 @@ pub fn shape(text: &str) -> Result<Task<Zone>, String> {
 /// What was expected.
 pub(super) fn flat(text: &str) -> Result<Task<Zone>, String> {
     let task: Task = text.parse().map_err(|error: stiffarm::task::TaskError| error.to_string())?;
-    task.flat().ok_or_else(|| "is a part with several faces; expected one flat zone, such as rect:0.6x0.4".into())
+    task.flat().ok_or_else(|| "expected one flat zone, such as rect:0.6x0.4; a part with several faces is placed by place, rank and compare".into())
 }
 
 /// `a..b`; either end may be left open.
