@@ -74,6 +74,14 @@ impl Zone {
         }
     }
 
+    /// It looks the same however it is turned.
+    pub const fn is_round(self) -> bool {
+        match self {
+            Self::Circle { .. } => true,
+            Self::Rectangle { .. } => false,
+        }
+    }
+
     /// The lengths that make the shape, m: the diameter twice, or both sides.
     pub fn sides(self) -> [f64; 2] {
         match self {

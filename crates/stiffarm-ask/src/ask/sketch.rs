@@ -17,7 +17,7 @@ pub(super) fn of_map(answer: &MapAnswer) -> Sketch {
         "arm_m": arm.map(from_the_side),
         "knows_base": answer.model.knows_base(),
         "zone_sides_m": sides.map(Zone::sides),
-        "zone_is_circle": sides.map(|zone| matches!(zone, Zone::Circle { .. })),
+        "zone_is_circle": sides.map(Zone::is_round),
     });
     sketched(shown, answer)
 }

@@ -37,7 +37,7 @@ impl Grid {
         }
         let step = (first / (columns - 1) as f64).max(second / (rows - 1) as f64);
         // On the disc neighbours along the rim lie up to an eighth of a circle per half side apart.
-        let step = if matches!(zone, Zone::Circle { .. }) { step * std::f64::consts::FRAC_PI_2 } else { step };
+        let step = if zone.is_round() { step * std::f64::consts::FRAC_PI_2 } else { step };
         Self { points, step }
     }
 

@@ -288,7 +288,7 @@ impl Part {
     /// The halves across the longer range; a bearing counts as the way it moves the rim of this part.
     fn halves(&self, zone: Zone) -> [Self; 2] {
         let [first, second] = self.ranges;
-        let lever = if matches!(zone, Zone::Circle { .. }) { first.max() } else { 1.0 };
+        let lever = if zone.is_round() { first.max() } else { 1.0 };
         let i = usize::from(first.width() < second.width() * lever);
         self.ranges[i].halves().map(|half| {
             let mut ranges = self.ranges;

@@ -111,7 +111,7 @@ impl<'a> BranchAndBound<'a> {
             freed: arm.without_limit_on(0, turned).without_limit_on(5, roll_is_free),
             wrists_are_alike: arm.wrists_are_alike(),
             coarse: COARSE * arm.geometry.c2,
-            samples: Grid::of(zone, if matches!(zone, Zone::Circle { .. }) { 8 } else { 4 }).points,
+            samples: Grid::of(zone, if zone.is_round() { 8 } else { 4 }).points,
             lever,
             roots: roots(options, region, roll_is_free),
         }

@@ -199,7 +199,7 @@ pub(super) fn place(
 ) -> Result<Placed, PlaceError> {
     let parts = watch.parts(None);
     // A circle has no sides to turn: from straight ahead its feed counts.
-    let orientation = if matches!(zone, Zone::Circle { .. }) { Orientation::Fixed(0.0) } else { options.orientation };
+    let orientation = if zone.is_round() { Orientation::Fixed(0.0) } else { options.orientation };
     let options = &PlaceOptions { orientation, ..*options };
     let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
     let Some(question) = Question::of(model, options, &parts)? else { return Ok(nothing_left()) };

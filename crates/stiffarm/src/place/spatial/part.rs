@@ -18,7 +18,6 @@ use crate::part::{Face, Part};
 use crate::place::{
     FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
 };
-use crate::task::Zone;
 use crate::tolerances;
 use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
@@ -122,7 +121,7 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
 fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> {
     let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
     let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
-    let is_alike = matches!(face.zone, Zone::Circle { .. }) && !question.load.turns_with_work();
+    let is_alike = face.zone.is_round() && !question.load.turns_with_work();
     let orientation = match question.orientation {
         _ if !is_vertical || is_alike => Orientation::Fixed(0.0),
         // Of a tool that points up the angle counts the other way about.

@@ -54,7 +54,7 @@ impl<'a> Ground<'a> {
             windows.push(Window::Block(Block { x: Interval::ALL, y: Interval::ALL, z: Interval::POSITIVE }));
         }
         let blocks = windows.iter().all(|window| matches!(window, Window::Block(_)));
-        let is_circle = matches!(zone, Zone::Circle { .. });
+        let is_circle = zone.is_round();
         Self {
             arm,
             zone,
@@ -261,7 +261,7 @@ impl<'a> Ground<'a> {
     fn extents_of_turn(&self, [yaw, angle, roll]: [f64; 3]) -> Vector3<f64> {
         let at = self.cell.mount.cell_from_base.translation.vector;
         let site = Site { at, is_behind: false, yaw, angle, roll };
-        let stays = self.angle_is_of_base || self.cell.azimuth.is_some() || matches!(self.zone, Zone::Circle { .. });
+        let stays = self.angle_is_of_base || self.cell.azimuth.is_some() || self.zone.is_round();
         let (bearing, work) = self.local(&site);
         let plane = WorkPlane::of(self.options.elevation, &work);
         let cell_from_here = self.cell.mount.cell_from_base * Pose::rotation(Vector3::z() * bearing);
