@@ -34,58 +34,55 @@ pub use crate::error::AskError;
 use crate::forms::{Answer, Forms};
 use crate::request::{Request, Verb};
 
+/// Who answers a kind of question, and in which forms.
+struct Answerer {
+    answer: for<'a> fn(&'a Request, Context<'a>) -> Result<Box<dyn Answer + 'a>, AskError>,
+    forms: Forms,
+}
+
+/// A function of a verb's module, and what it makes.
+macro_rules! by {
+    ($answer:path, $forms:expr) => {
+        Answerer { answer: |asked, context| Ok(Box::new($answer(asked, context)?)), forms: $forms }
+    };
+}
+
+/// By the verb, and by what is asked of it where that has several kinds of answer.
+fn answerer(asked: &Request) -> Answerer {
+    match asked.verb {
+        Verb::Rank => by!(rank::answer, rank::FORMS),
+        Verb::Place => by!(place::answer, place::FORMS),
+        Verb::Map => by!(map::answer, map::FORMS),
+        Verb::Compliance => by!(compliance::answer, compliance::FORMS),
+        Verb::Modes if asked.swings_over_zone() => by!(modes_over::answer, modes_over::FORMS),
+        Verb::Modes => by!(modes::answer, modes::FORMS),
+        Verb::Chatter => by!(chatter::answer, chatter::FORMS),
+        Verb::Study => by!(study::answer, study::FORMS),
+        Verb::Compare => by!(compare::answer, compare::FORMS),
+        Verb::Identify => by!(identify::answer, identify::FORMS),
+        Verb::Measure if asked.plans_geometry() => by!(measure::geometry, measure::FORMS),
+        Verb::Measure => by!(measure::answer, measure::FORMS),
+        Verb::Calibrate => by!(calibrate::answer, calibrate::FORMS),
+        Verb::Verify if asked.is_of_any_robot() => by!(verify::of_any, verify::FORMS_OF_ANY),
+        Verb::Verify => by!(verify::answer, verify::FORMS),
+        Verb::Mill if asked.is_dry() => by!(path::answer, path::FORMS),
+        Verb::Mill if asked.ranks_on_path() => by!(path_ranking::answer, path_ranking::FORMS),
+        Verb::Mill if asked.mills_by_tool() => by!(by_tool::answer, by_tool::FORMS),
+        Verb::Mill => by!(mill::answer, mill::FORMS),
+        Verb::Force => by!(force::answer, force::FORMS),
+        Verb::List => by!(robots::all, robots::FORMS),
+    }
+}
+
 /// The answer to a question.
 ///
 /// # Errors
 /// Where there is none: what is named is not there or has faults, what is asked makes no sense, or nobody waits any longer.
 pub fn ask<'a>(asked: &'a Request, context: Context<'a>) -> Result<Box<dyn Answer + 'a>, AskError> {
-    Ok(match asked.verb {
-        Verb::Rank => Box::new(rank::answer(asked, context)?),
-        Verb::Place => Box::new(place::answer(asked, context)?),
-        Verb::Map => Box::new(map::answer(asked, context)?),
-        Verb::Compliance => Box::new(compliance::answer(asked, context)?),
-        Verb::Modes if asked.swings_over_zone() => Box::new(modes_over::answer(asked, context)?),
-        Verb::Modes => Box::new(modes::answer(asked, context)?),
-        Verb::Chatter => Box::new(chatter::answer(asked, context)?),
-        Verb::Study => Box::new(study::answer(asked, context)?),
-        Verb::Compare => Box::new(compare::answer(asked, context)?),
-        Verb::Identify => Box::new(identify::answer(asked, context)?),
-        Verb::Measure if asked.plans_geometry() => Box::new(measure::geometry(asked, context)?),
-        Verb::Measure => Box::new(measure::answer(asked, context)?),
-        Verb::Calibrate => Box::new(calibrate::answer(asked, context)?),
-        Verb::Verify if asked.is_of_any_robot() => Box::new(verify::of_any(asked, context)?),
-        Verb::Verify => Box::new(verify::answer(asked, context)?),
-        Verb::Mill if asked.is_dry() => Box::new(path::answer(asked, context)?),
-        Verb::Mill if asked.ranks_on_path() => Box::new(path_ranking::answer(asked, context)?),
-        Verb::Mill if asked.mills_by_tool() => Box::new(by_tool::answer(asked, context)?),
-        Verb::Mill => Box::new(mill::answer(asked, context)?),
-        Verb::Force => Box::new(force::answer(asked, context)?),
-        Verb::List => Box::new(robots::answer(&[], asked)?),
-    })
+    (answerer(asked).answer)(asked, context)
 }
 
 /// In which forms a question is answered, before it is.
 pub fn forms(asked: &Request) -> Forms {
-    match asked.verb {
-        Verb::Rank => rank::FORMS,
-        Verb::Place => place::FORMS,
-        Verb::Map => map::FORMS,
-        Verb::Compliance => compliance::FORMS,
-        Verb::Modes if asked.swings_over_zone() => modes_over::FORMS,
-        Verb::Modes => modes::FORMS,
-        Verb::Chatter => chatter::FORMS,
-        Verb::Study => study::FORMS,
-        Verb::Compare => compare::FORMS,
-        Verb::Identify => identify::FORMS,
-        Verb::Measure => measure::FORMS,
-        Verb::Calibrate => calibrate::FORMS,
-        Verb::Verify if asked.is_of_any_robot() => verify::FORMS_OF_ANY,
-        Verb::Verify => verify::FORMS,
-        Verb::Mill if asked.is_dry() => path::FORMS,
-        Verb::Mill if asked.ranks_on_path() => path_ranking::FORMS,
-        Verb::Mill if asked.mills_by_tool() => by_tool::FORMS,
-        Verb::Mill => mill::FORMS,
-        Verb::Force => force::FORMS,
-        Verb::List => robots::FORMS,
-    }
+    answerer(asked).forms
 }

@@ -4,6 +4,7 @@ use serde_json::Value;
 use stiffarm::catalogue;
 use stiffarm::robot::Robot;
 
+use super::context::Context;
 use super::selection;
 use crate::answer::Rows;
 use crate::answer::robot::{list, notes, sheet, table};
@@ -17,6 +18,11 @@ use crate::request::Request;
 /// Where none has.
 pub fn answer(words: &[String], asked: &Request) -> Result<List, AskError> {
     Ok(List(selection::keep(catalogue::robots(), asked, words)?))
+}
+
+/// Those of the catalogue that have what is asked.
+pub(super) fn all(asked: &Request, _: Context) -> Result<List, AskError> {
+    answer(&[], asked)
 }
 
 /// Robots, as they are listed.
