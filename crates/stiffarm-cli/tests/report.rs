@@ -259,9 +259,11 @@ fn a_part_has_its_shop_drawing() {
     let answer: Value = serde_json::from_slice(&answer).expect("JSON");
     let z_mm = answer["z_m"].as_f64().unwrap() * 1e3;
     let told = read(&String::from_utf8(page).expect("text"));
-    for words in
-        ["height of the middle of its underside above the base", &format!("{z_mm:.1} mm"), "turned about the vertical"]
-    {
+    for words in [
+        "height of the middle of its underside above the base",
+        &format!("{z_mm:.1} mm"),
+        "the part's x axis from straight ahead, counterclockwise from above",
+    ] {
         assert!(told.contains(words), "{words}: {told}");
     }
     let drawn = String::from_utf8(drawn).unwrap();

@@ -10,8 +10,10 @@ use dimensions::{from_an_origin, of_a_zone};
 use super::words::degrees;
 use super::{Line, MillAnswer, PlaceAnswer, line};
 use nalgebra::{Point3, Rotation3, Vector3};
+use stiffarm::cell::{Block, Cell};
 use stiffarm::interval::Interval;
 use stiffarm::mill::Station;
+use stiffarm::model::ModelKind;
 use stiffarm::place::{FacePlacement, Placement, Within};
 use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
@@ -28,6 +30,8 @@ const CORNERS: usize = 72;
 /// A zone, a part or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
+    /// Whose work it is, and which.
+    pub title: String,
     /// What lengths count from, such as `the base`.
     pub origin: &'static str,
     /// Where the joint-1 axis meets the foot of the robot.
@@ -40,11 +44,14 @@ pub struct Layout {
     pub is_closed: bool,
     /// The centre of a zone, the middle of a part's underside, the origin of a path.
     pub centre: [f64; 3],
-    /// Along which direction the x axis of a part or path points; `None` of a zone.
-    pub x_axis: Option<[f64; 3]>,
+    /// Where the x axis of a path or part points, or the first side of a zone that is met from above: about the vertical, from the x axis of the
+    /// origin, rad. `None` of a zone that stands.
+    pub yaw: Option<f64>,
+    /// What must be kept free: from where to where ahead, to the left, up; open sides without an end.
+    pub keep_out: Vec<[[f64; 2]; 3]>,
     /// What is measured.
     pub dimensions: Vec<Dimension>,
-    /// About the vertical, where it stands otherwise than straight ahead: what is turned, and by how much.
+    /// How it is turned about the vertical, or about the joint-1 axis.
     pub turned: Option<Line>,
 }
 
@@ -63,26 +70,34 @@ impl PlaceAnswer {
             Work::Part(_) => best.faces.iter().map(rim_of).collect(),
         };
         let is_part = self.task.work.part().is_some();
-        let x_axis = placed(Vector3::new(best.angle.cos(), best.angle.sin(), 0.0));
-        let origin = placed(Vector3::zeros());
+        let lines: Vec<Vec<[f64; 3]>> = rims.into_iter().map(|rim| rim.into_iter().map(placed).collect()).collect();
         let [x, z] = best.centre;
         let centre = placed(Vector3::new(x, self.aside(best), z));
         let foot = cell.map_or([0.0; 3], |cell| cell.mount.cell_from_base.translation.vector.into());
+        let [from, to] = match &self.task.work {
+            Work::Part(_) => [Vector3::zeros(), Vector3::new(best.angle.cos(), best.angle.sin(), 0.0)].map(placed),
+            Work::Zone(zone) if zone.is_round() => [centre, lines[0][0]],
+            Work::Zone(_) => [lines[0][0], lines[0][1]],
+        };
+        let yaw = (is_part || self.is_met_from_above()).then(|| (to[1] - from[1]).atan2(to[0] - from[0]));
+        let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
         let mut layout = Layout {
+            title: format!("{}: {} ({})", self.robot.full_name(), self.task.label, self.task.work.describe()),
             origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot,
             floor: cell.map(|_| 0.0),
-            lines: rims.into_iter().map(|rim| rim.into_iter().map(placed).collect()).collect(),
+            lines,
             is_closed: true,
             centre,
-            x_axis: is_part.then(|| std::array::from_fn(|axis| x_axis[axis] - origin[axis])),
+            yaw,
+            keep_out: kept_free(cell.as_ref()),
             dimensions: Vec::new(),
-            turned: if is_part {
-                let turn = (x_axis[1] - origin[1]).atan2(x_axis[0] - origin[0]);
-                Some(line("turned about the vertical", degrees(turn.rem_euclid(TAU))))
-            } else {
-                let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
-                bearing.map(|bearing| line("turned about the joint-1 axis", degrees(bearing)))
+            turned: match (&self.task.work, yaw) {
+                (Work::Part(_), Some(yaw)) => Some(turned("the part's x axis", cell.is_some(), yaw)),
+                (Work::Zone(zone), Some(yaw)) if !zone.is_round() => {
+                    Some(turned("its first side", cell.is_some(), yaw))
+                }
+                _ => bearing.map(|bearing| line("joint 1 turned from straight ahead", degrees(bearing))),
             },
         };
         layout.dimensions = if is_part {
@@ -91,6 +106,21 @@ impl PlaceAnswer {
             of_a_zone(&layout)
         };
         Some(layout)
+    }
+
+    /// Where a path stands that has its origin in the middle of the work, of a part of its underside, and its x axis along the first side: m, and
+    /// its turn about the vertical, rad, as `mill --at` takes them. `None` of a zone that is not met from above, and where nothing is known of the
+    /// base.
+    pub fn stand_of_path(&self) -> Option<[f64; 4]> {
+        let Layout { centre: [x, y, z], yaw, .. } = self.layout()?;
+        Some([x, y, z, yaw?])
+    }
+
+    /// The tool points down in the cell.
+    fn is_met_from_above(&self) -> bool {
+        let stance = self.options.stance();
+        let up = self.options.cell.map_or(1.0, |cell| cell.mount.uprightness());
+        self.model != ModelKind::Planar && stance.is_vertical() && stance.elevation * up < 0.0
     }
 
     /// The zone may stand in one place only: its window is no larger than itself.
@@ -174,22 +204,17 @@ impl MillAnswer {
         let cuts = self.stations.chunk_by(|one, next| !is_apart(one, next));
         let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
         let mut layout = Layout {
+            title: format!("{}: {}", self.robot.full_name(), self.path),
             origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot: cell_from_base.translation.vector.into(),
             floor: cell.map(|_| 0.0),
             lines: cuts.map(cut).collect(),
             centre: placement.at,
             is_closed: false,
-            x_axis: Some((pose.rotation * Vector3::x()).into()),
+            yaw: Some(placement.yaw),
+            keep_out: kept_free(cell.as_ref()),
             dimensions: Vec::new(),
-            turned: Some(line(
-                if cell.is_some() {
-                    "the path's x axis from the cell's, counterclockwise from above"
-                } else {
-                    "the path's x axis from straight ahead, counterclockwise from above"
-                },
-                degrees(placement.yaw),
-            )),
+            turned: Some(turned("the path's x axis", cell.is_some(), placement.yaw)),
         };
         layout.dimensions = from_an_origin(&layout, "the path's origin", "the path");
         Some(layout)
@@ -212,6 +237,18 @@ impl Layout {
     }
 }
 
+/// How something is turned about the vertical.
+fn turned(what: &str, is_in_cell: bool, yaw: f64) -> Line {
+    let from = if is_in_cell { "the cell's x axis" } else { "straight ahead" };
+    line(format!("{what} from {from}, counterclockwise from above"), degrees(yaw))
+}
+
+/// The boxes that must be kept free in a cell.
+fn kept_free(cell: Option<&Cell>) -> Vec<[[f64; 2]; 3]> {
+    let ends = |block: Block| [block.x, block.y, block.z].map(|side| [side.min(), side.max()]);
+    cell.into_iter().flat_map(Cell::keep_out).map(ends).collect()
+}
+
 /// How far points reach along an axis, m.
 fn extent(points: &[Vector3<f64>], axis: usize) -> f64 {
     let along = || points.iter().map(|point| point[axis]);
@@ -221,13 +258,15 @@ fn extent(points: &[Vector3<f64>], axis: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::words::fixed;
+    use std::f64::consts::FRAC_PI_2;
+
     use super::*;
     use crate::request::{Pair, Request, Spelling, Verb};
     use stiffarm::catalogue::paper_robots;
+    use stiffarm::cell::Mount;
     use stiffarm::load::Load;
-    use stiffarm::model::ModelKind;
     use stiffarm::part::Part;
-    use stiffarm::place::{PlaceOptions, place};
+    use stiffarm::place::{PlaceOptions, Stance, place};
     use stiffarm::spatial::Pose;
     use stiffarm::task::Task;
     use stiffarm::toolpath::Builtin;
@@ -285,6 +324,29 @@ mod tests {
         assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
     }
 
+    /// The corners of a path over the zone, from its origin and turned as told, are those of the zone.
+    #[test]
+    fn a_path_stands_where_its_zone_was_placed() {
+        let spindle = ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2));
+        let mut answer = placed("rect:0.3x0.2", spindle);
+        for mount in [Mount::pedestal(0.0), Mount::pedestal(0.5).turned(0.7)] {
+            answer.options.cell = Some(Cell::of(mount));
+            let [x, y, z, yaw] = answer.stand_of_path().unwrap();
+            let (s, c) = yaw.sin_cos();
+            let rim = answer.layout().unwrap().lines.swap_remove(0);
+            for (u, v) in [(-0.15, -0.1), (-0.15, 0.1), (0.15, -0.1), (0.15, 0.1)] {
+                let corner = [x + c * u - s * v, y + s * u + c * v, z];
+                let is_it = |found: &[f64; 3]| (0..3).all(|i| (found[i] - corner[i]).abs() < 1e-9);
+                assert!(rim.iter().any(is_it), "{corner:?} of {rim:?}");
+            }
+        }
+        assert!(placed("circle:0.2", spindle).stand_of_path().is_some());
+        // A zone of the arm plane lies nowhere flat, and one that is met from below is no ground for a path.
+        assert_eq!(placed("rect:0.4x0.6", ModelKind::Planar).stand_of_path(), None);
+        answer.options.stance = Some(Stance::tool_at(FRAC_PI_2));
+        assert_eq!(answer.stand_of_path(), None);
+    }
+
     /// A box of 0.4 x 0.3 x 0.1 m, of which top and front are machined, turned by whatever is best: its corners by hand.
     #[test]
     fn a_part_stands_with_the_rims_of_its_faces() {
@@ -309,13 +371,14 @@ mod tests {
             assert!(has(front, [-0.2, v, w]), "{v} {w}: {front:?}");
         }
         assert!(
-            layout.is_closed && layout.x_axis.is_some_and(|axis| (axis[0] - c).abs() + (axis[1] - s).abs() < 1e-12)
+            layout.is_closed && layout.yaw.is_some_and(|yaw| (yaw.cos() - c).abs() + (yaw.sin() - s).abs() < 1e-12)
         );
         let told = layout.measured();
         assert_eq!(told[0][0], "height of the middle of its underside above the base");
         assert_eq!([0, 1, 2].map(|i| told[i][1].clone()), [z, x, 0.0].map(|m| format!("{} mm", fixed(m * 1e3, 1))));
         assert_eq!(told[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
-        assert_eq!(told.last().unwrap()[1], degrees(best.angle));
+        let turn = layout.yaw.unwrap();
+        assert_eq!(told.last().unwrap()[1], degrees(turn));
     }
 
     /// A line of 0.4 m along the part's x axis about its origin, turned by 30 deg: by hand.
@@ -330,7 +393,7 @@ mod tests {
         let layout = answer.layout().unwrap();
         let (s, c) = 30_f64.to_radians().sin_cos();
         let near = |found: [f64; 3], expected: [f64; 3]| (0..3).all(|i| (found[i] - expected[i]).abs() < 1e-12);
-        assert!(near(layout.x_axis.unwrap(), [c, s, 0.0]));
+        assert!((layout.yaw.unwrap() - 30_f64.to_radians()).abs() < 1e-12);
         let [line] = layout.lines.as_slice() else { panic!("one cut: {:?}", layout.lines) };
         let [from, to] = [line[0], line[line.len() - 1]];
         let along: Vec<f64> = (0..3).map(|i| to[i] - from[i]).collect();

@@ -282,6 +282,7 @@ impl PlaceAnswer {
             }
             Some(hold) => lines.extend(self.stance_lines(best, hold)),
         }
+        lines.extend(self.stand_of_path().map(|stand| self.path_line(stand)));
         let [wx, wy, wz] = best.worst_point.map(|part| fixed(part, 4));
         let [near, far] = [format!("x {wx} m"), format!("z {wz} m")];
         let worst = if best.space().is_some() { format!("{near}, y {wy} m, {far}") } else { format!("{near}, {far}") };
@@ -293,6 +294,17 @@ impl PlaceAnswer {
             lines.push(line(format!("tolerance {tolerance} mm"), says));
         }
         lines
+    }
+
+    /// Where a path over the work stands, as it is typed.
+    fn path_line(&self, [x, y, z, yaw]: [f64; 4]) -> Line {
+        let [x, y, z] = [x, y, z].map(|metres| fixed(metres, 4));
+        let middle = if self.task.work.part().is_some() { "its underside" } else { "the zone" };
+        let yaw = fixed(yaw.to_degrees(), 2);
+        line(
+            "for mill --at",
+            format!("{x},{y},{z},{yaw} (origin of the path in the middle of {middle}, x along its first side)"),
+        )
     }
 
     /// What the line is called that says where it stands.

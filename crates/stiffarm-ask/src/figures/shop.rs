@@ -1,9 +1,11 @@
 //! Where the work must stand, as a shop drawing has it: from the side and, below it, from above, with lengths in mm.
 
+use crate::answer::words::degrees;
 use crate::answer::{Dimension, Layout};
-use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, PROSE, ZONE};
+use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, KEEP_OUT, PROSE, ZONE};
 
 use super::FigureSize;
+use super::axes::heading;
 use super::canvas::{Canvas, Font, Px, path};
 
 /// Left and right of both views, px: on the right stand heights.
@@ -58,11 +60,16 @@ impl ShopFigure<'_> {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
         let mut canvas = Canvas::of(&self.figure_size);
-        let top = 18.0;
+        let Layout { title, origin, yaw, .. } = self.layout;
+        let turned =
+            yaw.map_or_else(String::new, |yaw| format!("; x at {}, counterclockwise from above", degrees(yaw)));
+        let subtitle = format!("side and top view; lengths in mm from {origin}{turned}");
+        let top = heading(&mut canvas, title, &subtitle) + 18.0;
         let scale = self.scale(canvas.width, top);
         // From above: y, to the left, upwards.
         canvas.tell_scale([scale.left[1], scale.lower[1]], [scale.left[0], scale.lower[0]], scale.per_metre);
         self.tell_work(&mut canvas, &scale);
+        self.draw_kept_free(&mut canvas, &scale, top);
         self.draw_side(&mut canvas, &scale, top);
         self.draw_above(&mut canvas, &scale);
         let of = |axis: usize| self.layout.dimensions.iter().filter(move |one| one.axis == axis).enumerate();
@@ -121,6 +128,22 @@ impl ShopFigure<'_> {
         );
     }
 
+    /// What must be kept free, as far as the views go.
+    fn draw_kept_free(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
+        let look = format!(r#"fill="{KEEP_OUT}" fill-opacity="0.12" stroke="{KEEP_OUT}" stroke-width="1.2""#);
+        let font = Font::new(12.0).colour(PROSE).halo();
+        let sides = [scale.left[1] - 14.0, scale.right + 14.0];
+        for (i, [x, y, z]) in self.layout.keep_out.iter().enumerate() {
+            let across = x.map(|x| scale.across(x).clamp(sides[0], sides[1]));
+            let up = [z[1], z[0]].map(|z| scale.side([0.0, 0.0, z])[1].clamp(top - 6.0, scale.upper[1]));
+            let over = [y[1], y[0]].map(|y| scale.above([0.0, y, 0.0])[1].clamp(scale.upper[1] + 30.0, scale.lower[1]));
+            for [high, low] in [up, over].into_iter().filter(|[high, low]| high < low && across[0] < across[1]) {
+                canvas.rect([across[0], high], [across[1], low], &look);
+                canvas.text([across[0] + 4.0, high + 10.0], &format!("keep-out {}", i + 1), font);
+            }
+        }
+    }
+
     /// Floor, foot, axis and zone from the right side of the robot.
     fn draw_side(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
         let Layout { foot, floor, .. } = self.layout;
@@ -170,8 +193,8 @@ impl ShopFigure<'_> {
         axis(canvas, [x, y - arm], [x, y + arm]);
         canvas.text([x + 6.0, y - FOOT / 2.0 * scale.per_metre - 9.0], "joint-1 axis", Font::new(12.0).colour(PROSE));
         self.draw_work(canvas, |at| scale.above(at));
-        if let Some([dx, dy, _]) = self.layout.x_axis {
-            let ([x, y], length) = (scale.above(self.layout.centre), X_AXIS);
+        if let Some(yaw) = self.layout.yaw {
+            let ([x, y], length, (dy, dx)) = (scale.above(self.layout.centre), X_AXIS, yaw.sin_cos());
             let end = [x + length * dx, y - length * dy];
             canvas.line([x, y], end, &format!(r#"stroke="{INK}" stroke-width="1.6""#));
             canvas.text([end[0] + 9.0 * dx, end[1] - 9.0 * dy], "x", Font::new(12.0).middle().halo());

@@ -63,6 +63,14 @@ pub enum Acting {
 }
 
 impl Acting {
+    /// The size of the force, N.
+    pub fn newtons(&self) -> f64 {
+        match self {
+            Self::Any(newtons) => *newtons,
+            Self::Known { force, .. } => Vector3::from(*force).norm(),
+        }
+    }
+
     /// The force along the three axes, N; `None` where it may point anywhere.
     pub fn force(&self) -> Option<[f64; 3]> {
         if let Self::Known { force, .. } = self { Some(*force) } else { None }

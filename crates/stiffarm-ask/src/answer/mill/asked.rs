@@ -97,6 +97,8 @@ impl MillAnswer {
         let failed =
             |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;
+        let force =
+            if matches!(forcing, Forcing::Same(_)) { force } else { format!("{force}: {}", newtons(&stations)) };
         mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
         let ground = asked.path_ground()?;
         let (placement, sought, milled) = if let Some(placement) = asked.at() {
@@ -263,6 +265,18 @@ fn compensation(
         })
         .transpose()?;
     Ok(Compensation { done, remaining })
+}
+
+/// How large the force of a process is along a path, in words.
+fn newtons(stations: &[Station]) -> String {
+    let sizes = stations.iter().filter_map(|station| station.acting.as_ref()).map(Acting::newtons);
+    let (low, high) = sizes.fold((f64::INFINITY, 0.0_f64), |(low, high), size| (low.min(size), high.max(size)));
+    let [least, most] = [low, high].map(|newtons| fixed(newtons, 1));
+    match () {
+        () if high < low => "cuts nothing".into(),
+        () if least == most => format!("mean force {most} N"),
+        () => format!("mean force {least} .. {most} N along the path"),
+    }
 }
 
 /// Where the force comes from, in words too, and what is to be said of it.
