@@ -127,7 +127,7 @@ fn examples_and_defaults_are_understood() {
 
 /// Everything that a request can be asked for, in words.
 fn told(request: &Request) -> String {
-    let mut told = vec![format!("{:?} {:?}", request.robots(), request.tasks())];
+    let mut told = vec![format!("{:?} {:?}", request.robots(), (request.tasks(), request.flat_task().ok()))];
     let verb = request.verb;
     if [Verb::Rank, Verb::Place, Verb::Map].contains(&verb) {
         let zone = Zone::Rectangle { width: 1.0, height: 2.0 };

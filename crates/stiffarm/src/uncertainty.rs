@@ -24,6 +24,8 @@ const TIE: f64 = 0.05;
 pub struct Spread {
     /// Five of a hundred are less.
     pub p05: f64,
+    /// Half of them are less: more than the value at the drives as they are told, as a soft drive adds more than a stiff one takes away.
+    pub median: f64,
     /// Five of a hundred are more.
     pub p95: f64,
 }
@@ -32,7 +34,7 @@ impl Spread {
     /// Of draws, at least one.
     pub fn of(mut draws: Vec<f64>) -> Self {
         draws.sort_by(f64::total_cmp);
-        Self { p05: quantile(&draws, 0.05), p95: quantile(&draws, 0.95) }
+        Self { p05: quantile(&draws, 0.05), median: quantile(&draws, 0.5), p95: quantile(&draws, 0.95) }
     }
 }
 
@@ -244,7 +246,9 @@ mod tests {
             let (sigma, _) = drawn.arm_plane().unwrap().arm.worst_direction(*shoulder, *elbow);
             assert!((sigma * 1000.0 / found - 1.0).abs() < 1e-6, "{sigma} and {found}");
         }
-        let Spread { p05, p95 } = spread(&robot, Load::PAPER, placed).unwrap();
+        let Spread { p05, median, p95 } = spread(&robot, Load::PAPER, placed).unwrap();
+        let less = found.iter().filter(|value| **value < median).count();
+        assert!((999..=1001).contains(&less) && placed.deflection < median, "{less}");
         let inside = found.iter().filter(|value| p05 <= **value && **value <= p95).count();
         assert!((1795..=1805).contains(&inside) && p05 < placed.deflection && placed.deflection < p95, "{inside}");
     }
@@ -300,7 +304,7 @@ mod tests {
             crate::place::place(&ModelKind::Planar.of(&robot).unwrap(), &task.work, &options, Watch::nobody()).unwrap();
         let placed = placed.feasible().unwrap();
         let sd = 0.1 / 2.0_f64.sqrt();
-        let Spread { p05, p95 } = spread(&robot, Load::PAPER, placed).unwrap();
+        let Spread { p05, p95, .. } = spread(&robot, Load::PAPER, placed).unwrap();
         for (found, side) in [(p05, -1.0), (p95, 1.0)] {
             let by_hand = 1.0 + side * 1.645 * sd + sd * sd / 2.0;
             assert!((found / placed.deflection - by_hand).abs() < 0.01, "{found:e} {by_hand}");

@@ -104,7 +104,7 @@ fn displacements_of_postures_that_were_left_out_lie_in_their_intervals() {
             let load = Load::along_base(std::array::from_fn(|i| reading.load.0[i])).unwrap();
             let holds = |robot: &Robot| {
                 let posture = compliance(robot, &reading.q, &tool).unwrap();
-                let Spread { p05, p95 } = of_posture(robot, &posture, load).unwrap();
+                let Spread { p05, p95, .. } = of_posture(robot, &posture, load).unwrap();
                 (p05..=p95).contains(&reading.moved.norm())
             };
             all += 1;

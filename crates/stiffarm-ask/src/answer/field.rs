@@ -154,6 +154,7 @@ fields! {
     DEFLECTION: "deflection_mm", Kind::Number(Unit::Millimetre), "The worst deflection in the zone at its best place.";
     LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No allowed place has less.";
     DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less there; null where nothing says how they may be.";
+    DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "The median of drives as they may be; more than with the drives as they are told, as a soft drive adds more than a stiff one takes away.";
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
     WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
@@ -495,6 +496,7 @@ fields! {
     CELL_YAW: "cell_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical from the cell's x axis; null without a cell.";
     PATH_WORST: "worst_mm", Kind::Number(Unit::Millimetre), "The largest error along the path.";
     PATH_WORST_P05: "worst_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing says how they may be.";
+    PATH_WORST_P50: "worst_mm_p50", Kind::Number(Unit::Millimetre), "The median.";
     PATH_WORST_P95: "worst_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
     PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, through the pins where there are some, and where the place was sought no place, have less.";
     ROLL_LOWER_BOUND: "roll_lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of that mode have less at this place.";
@@ -615,7 +617,8 @@ mod tests {
                 Some(Unit::Given(unit)) => unit,
                 Some(Unit::One) | None => "",
             };
-            let key = field.key.trim_end_matches("_p05").trim_end_matches("_p95");
+            let key =
+                ["_p05", "_p50", "_p95"].iter().find_map(|share| field.key.strip_suffix(share)).unwrap_or(field.key);
             assert!(key.ends_with(ending), "{field:?}");
             let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_urad_per_nm", "_nm_per_rad", "_kg"];
             let has_unit = endings.iter().any(|ending| key.ends_with(ending));

@@ -40,14 +40,18 @@ impl Known {
 pub(super) fn put(record: &mut Record, spread: Option<Spread>) {
     record
         .put(field::DEFLECTION_P05, spread.map(|spread| spread.p05))
+        .put(field::DEFLECTION_P50, spread.map(|spread| spread.median))
         .put(field::DEFLECTION_P95, spread.map(|spread| spread.p95));
 }
 
 /// For people.
 pub(super) fn told(robot: &Robot, spread: Option<Spread>) -> Option<Line> {
     let mm = |metres: f64| fixed(Unit::Millimetre.told(metres), 3);
-    let Spread { p05, p95 } = spread?;
-    Some(line(format!("90 % interval ({})", of_what(robot)), format!("{} .. {} mm", mm(p05), mm(p95))))
+    let Spread { p05, median, p95 } = spread?;
+    Some(line(
+        format!("90 % interval ({})", of_what(robot)),
+        format!("{} .. {} mm, median {} mm", mm(p05), mm(p95), mm(median)),
+    ))
 }
 
 /// What an interval is about.

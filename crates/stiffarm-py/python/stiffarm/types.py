@@ -180,12 +180,15 @@ class PlaceOptions(TypedDict, total=False):
     pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
 
     keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
-    times."""
+    """What neither work nor arm may touch (with --allow-contact the work alone) [m]: x0..x1,y0..y1,z0..z1 in the
+    cell; several with ; between, or given several times."""
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: reported, none required]."""
+    [default: 0 with --keep-out; else reported, none required]."""
+
+    allow_contact: bool
+    """Take the best place of the work although the arm may touch something there."""
 
 
 class RankOptions(TypedDict, total=False):
@@ -297,12 +300,15 @@ class RankOptions(TypedDict, total=False):
     pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
 
     keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
-    times."""
+    """What neither work nor arm may touch (with --allow-contact the work alone) [m]: x0..x1,y0..y1,z0..z1 in the
+    cell; several with ; between, or given several times."""
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: reported, none required]."""
+    [default: 0 with --keep-out; else reported, none required]."""
+
+    allow_contact: bool
+    """Take the best place of the work although the arm may touch something there."""
 
     vendor: str | Iterable[str] | None
     """Only robots of these makers, separated by commas."""
@@ -335,7 +341,7 @@ class MapOptions(TypedDict, total=False):
     quantity: Literal["deflection", "first-frequency"]
     """What is mapped, with model="spatial"."""
 
-    zone: str | None
+    zone: npt.ArrayLike | None
     """Draw the best placement of this task [planar model only]."""
 
     step_m: float | None
@@ -444,7 +450,7 @@ class StudyOptions(TypedDict, total=False):
     """Shapes at size 1: A, B, C, or such as rect:1x3; the shape of the task is studied besides, and instead
     where nothing is said here."""
 
-    task: str | None
+    task: npt.ArrayLike | None
     """A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which
     architecture is stiffer there."""
 
@@ -576,12 +582,15 @@ class CompareOptions(TypedDict, total=False):
     pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
 
     keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
-    times."""
+    """What neither work nor arm may touch (with --allow-contact the work alone) [m]: x0..x1,y0..y1,z0..z1 in the
+    cell; several with ; between, or given several times."""
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: reported, none required]."""
+    [default: 0 with --keep-out; else reported, none required]."""
+
+    allow_contact: bool
+    """Take the best place of the work although the arm may touch something there."""
 
 
 class IdentifyOptions(TypedDict, total=False):
@@ -640,7 +649,7 @@ class MeasureOptions(TypedDict, total=False):
     """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
     (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
 
-    task: str | None
+    task: npt.ArrayLike | None
     """The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at
     its best place, the tool down [default: anywhere within the limits]."""
 
@@ -787,7 +796,7 @@ class ModesOptions(TypedDict, total=False):
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
 
-    task: str | None
+    task: npt.ArrayLike | None
     """Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the
     least and the largest frequencies, and a proved least first frequency."""
 
@@ -1186,12 +1195,15 @@ class SweepOptions(TypedDict, total=False):
     pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
 
     keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
-    times."""
+    """What neither work nor arm may touch (with --allow-contact the work alone) [m]: x0..x1,y0..y1,z0..z1 in the
+    cell; several with ; between, or given several times."""
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: reported, none required]."""
+    [default: 0 with --keep-out; else reported, none required]."""
+
+    allow_contact: bool
+    """Take the best place of the work although the arm may touch something there."""
 
 
 class Schema(TypedDict):
@@ -1585,6 +1597,10 @@ class _Placed(_Pass):
 
     deflection_mm_p05: float | None
     """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
+
+    deflection_mm_p50: float | None
+    """The median of drives as they may be; more than with the drives as they are told, as a soft drive adds more
+    than a stiff one takes away."""
 
     deflection_mm_p95: float | None
     """Five of a hundred give more."""
@@ -3059,6 +3075,9 @@ class MilledDict(_Pass):
     """Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing
     says how they may be."""
 
+    worst_mm_p50: float | None
+    """The median."""
+
     worst_mm_p95: float | None
     """Five of a hundred give more."""
 
@@ -3209,6 +3228,9 @@ class PathRankingRow(_Pass):
     worst_mm_p05: float | None
     """Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing
     says how they may be."""
+
+    worst_mm_p50: float | None
+    """The median."""
 
     worst_mm_p95: float | None
     """Five of a hundred give more."""
@@ -3896,6 +3918,10 @@ class ComplianceDict(TypedDict):
 
     deflection_mm_p05: float | None
     """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
+
+    deflection_mm_p50: float | None
+    """The median of drives as they may be; more than with the drives as they are told, as a soft drive adds more
+    than a stiff one takes away."""
 
     deflection_mm_p95: float | None
     """Five of a hundred give more."""

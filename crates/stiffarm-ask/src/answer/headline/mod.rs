@@ -130,7 +130,7 @@ fn proviso(verdict: Verdict) -> &'static str {
 
 /// How likely the tolerance is held, where the value lies, and what to do about it.
 fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String {
-    let Some((probability, Spread { p05, p95 })) = verdict.probability.zip(spread) else {
+    let Some((probability, Spread { p05, median, p95 })) = verdict.probability.zip(spread) else {
         return match robot.stiffness_source() {
             StiffnessSource::Assumed => {
                 "How likely that is is not known: nothing is known of the drives; --stiffness prior takes what robots of this size have, `stiffarm measure` and `identify` what this one has.".into()
@@ -138,7 +138,7 @@ fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String 
             _ => "How likely that is is not known: nothing says how far the drives may be off.".into(),
         };
     };
-    let [low, high] = [p05, p95].map(|metres| fixed(Unit::Millimetre.told(metres), 3));
+    let [low, middle, high] = [p05, median, p95].map(|metres| fixed(Unit::Millimetre.told(metres), 3));
     let measure = if robot.identified().is_some() {
         "measure in more postures and with more loads (`stiffarm measure`)"
     } else {
@@ -150,7 +150,7 @@ fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String 
         (true, true) | (false, _) => String::new(),
     };
     format!(
-        "It is held with a probability of {}: the 90 % interval ({}) is {low} to {high} mm{advice}.",
+        "It is held with a probability of {}: the 90 % interval ({}) is {low} to {high} mm, the median {middle} mm{advice}.",
         percent(probability),
         of_what(robot)
     )
@@ -201,14 +201,14 @@ mod tests {
     #[test]
     fn a_verdict_is_as_sure_as_the_drives_are_known() {
         let robot = stiffarm::catalogue::paper_robots().swap_remove(4);
-        let spread = Spread { p05: 0.5e-3, p95: 2.1e-3 };
+        let spread = Spread { p05: 0.5e-3, median: 1.1e-3, p95: 2.1e-3 };
         let cases = [
             (1.0, None, Outcome::PassesPerhaps, "nothing is known of the drives"),
             (
                 1.0,
                 Some(0.97),
                 Outcome::Passes,
-                "probability of 97 %: the 90 % interval (drive stiffness) is 0.500 to 2.100 mm.",
+                "probability of 97 %: the 90 % interval (drive stiffness) is 0.500 to 2.100 mm, the median 1.100 mm.",
             ),
             (1.0, Some(0.94), Outcome::PassesPerhaps, "keep more distance"),
             (2.5, Some(0.2), Outcome::Fails, "before it is given up"),

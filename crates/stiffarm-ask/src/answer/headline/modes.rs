@@ -12,7 +12,7 @@ const MEANS: &str = "Teeth that pass at one of these frequencies, or at a half, 
 /// Where nothing is known of the drives.
 const UNKNOWN: &str = "How far that may be off is not known: nothing says how far the drives may be off.";
 
-fn interval(Spread { p05, p95 }: Spread) -> String {
+fn interval(Spread { p05, p95, .. }: Spread) -> String {
     format!("the 90 % interval (drive stiffness) is {} to {} Hz.", fixed(p05, 1), fixed(p95, 1))
 }
 

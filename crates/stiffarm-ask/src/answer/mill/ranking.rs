@@ -309,6 +309,7 @@ impl PathRow {
             .put(field::REASON, reason(&self.milled))
             .put(field::PATH_WORST, found.map(|found| found.worst.0))
             .put(field::PATH_WORST_P05, spread.map(|spread| spread.p05))
+            .put(field::PATH_WORST_P50, spread.map(|spread| spread.median))
             .put(field::PATH_WORST_P95, spread.map(|spread| spread.p95))
             .put(field::PATH_LOWER_BOUND, answer.and_then(MillAnswer::lower_bound))
             .put(field::RMS, found.map(|found| found.rms))

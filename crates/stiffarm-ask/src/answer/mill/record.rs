@@ -43,6 +43,7 @@ impl MillAnswer {
             .put(field::REASON, self.reason())
             .put(field::PATH_WORST, found.map(|found| found.worst.0))
             .put(field::PATH_WORST_P05, self.spread().map(|spread| spread.p05))
+            .put(field::PATH_WORST_P50, self.spread().map(|spread| spread.median))
             .put(field::PATH_WORST_P95, self.spread().map(|spread| spread.p95))
             .put(field::PATH_LOWER_BOUND, self.lower_bound())
             .put(field::ROLL_LOWER_BOUND, found.map(|found| found.lower_bound))

@@ -127,6 +127,7 @@ class Milled(Table[MilledDict]):
     worst_mm: float | None
     #: Where it lies with 90 %, as the drives may be.
     worst_mm_p05: float | None
+    worst_mm_p50: float | None
     worst_mm_p95: float | None
     #: No rolls, and where the place was sought no place, have less.
     lower_bound_mm: float | None

@@ -74,8 +74,9 @@ class Placement(Table[PlacementDict]):
     #: That there is no place is proved.
     proved: bool | None
     deflection_mm: float | None
-    #: 90 % interval, as far as the drives (and the model of a robot that was measured) may be off; None where nothing says how far.
+    #: 90 % interval and median, as far as the drives (and the model of a robot that was measured) may be off; None where nothing says how far.
     deflection_mm_p05: float | None
+    deflection_mm_p50: float | None
     deflection_mm_p95: float | None
     #: No allowed place has less.
     lower_bound_mm: float | None

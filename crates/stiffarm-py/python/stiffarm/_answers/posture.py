@@ -70,8 +70,9 @@ class Compliance(Answer[ComplianceDict]):
     largest_mm: float | None
     #: (3,) the translation under it.
     deflection_mm: Array | None
-    #: 90 % interval of its length, as far as the drives may be off; None where nothing says how far.
+    #: 90 % interval and median of its length, as far as the drives may be off; None where nothing says how far.
     deflection_mm_p05: float | None
+    deflection_mm_p50: float | None
     deflection_mm_p95: float | None
     #: (3,) the rotation under it.
     rotation_mrad: Array | None
