@@ -58,7 +58,7 @@ impl PathRankOutput<'_> {
                     .as_ref()
                     .ok()
                     .and_then(MillAnswer::spread)
-                    .map(|spread| [spread.p05, spread.p95].map(|metres| Unit::Millimetre.told(metres))),
+                    .map(|spread| [spread.p05, spread.median, spread.p95].map(|metres| Unit::Millimetre.told(metres))),
             ],
             verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::told)],
             values: vec![

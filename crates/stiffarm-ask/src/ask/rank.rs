@@ -143,7 +143,7 @@ impl RankOutput<'_> {
                 .map(|task| row.placement(task).map(|best| [best.deflection, best.lower_bound].map(mm).into()))
                 .collect(),
             intervals: (0..tasks.len())
-                .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.p95].map(mm)))
+                .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.median, spread.p95].map(mm)))
                 .collect(),
             verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::told)).collect(),
         });

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::answer::RobotStyle;
 use stiffarm::palette::{
-    ESTIMATED, FAINT, GREY, INK, LIMIT, QUASI_SERIAL, QUASI_SERIAL_CURVES, SERIAL, SERIAL_CURVES, TOLERANCE,
+    ESTIMATED, FAINT, GREY, INK, LIMIT, PAPER, QUASI_SERIAL, QUASI_SERIAL_CURVES, SERIAL, SERIAL_CURVES, TOLERANCE,
 };
 
 use super::axes::{Axis, heading, label};
@@ -31,8 +31,8 @@ pub(crate) struct BarRow {
     pub style: Option<RobotStyle>,
     /// By task: deflection and its proved lower bound, mm; absent where the task does not fit.
     pub values: Vec<Option<(f64, f64)>>,
-    /// By task: where it lies with 90 %, mm; absent where nothing says how far the drives may be off.
-    pub intervals: Vec<Option<[f64; 2]>>,
+    /// By task: where it lies with 90 %, the median between the ends, mm; absent where nothing says how far the drives may be off.
+    pub intervals: Vec<Option<[f64; 3]>>,
     /// By task: verdict and probability, where there is a tolerance.
     pub verdicts: Vec<Option<String>>,
 }
@@ -108,7 +108,7 @@ impl BarsFigure {
         let values = self.rows.iter().filter_map(value).map(|(found, _)| found).filter(|mm| mm.is_finite());
         let largest = values.fold(0.0, f64::max);
         // Of intervals as much as leaves the bars half of the room.
-        let ends = self.rows.iter().filter_map(interval).map(|[_, high]| high.min(2.0 * largest));
+        let ends = self.rows.iter().filter_map(interval).map(|[.., high]| high.min(2.0 * largest));
         let most = ends.filter(|mm| mm.is_finite()).fold(largest, f64::max);
         // A tolerance far above all bars would press them flat; it is then only named in the legend.
         let tolerance = self.tolerance_mm.filter(|tolerance| *tolerance <= 2.0 * most);
@@ -133,8 +133,8 @@ impl BarsFigure {
             };
             let x = axis.at(found).clamp(left, end);
             let mut told = format!("{}, {name}: {found:.3} mm; proved lower bound {bound:.3} mm", row.robot);
-            if let Some([low, high]) = interval(row) {
-                let _ = write!(told, "; 90 % interval {low:.3} .. {high:.3} mm");
+            if let Some([low, median, high]) = interval(row) {
+                let _ = write!(told, "; 90 % interval {low:.3} .. {high:.3} mm, median {median:.3} mm");
             }
             if let Some(verdict) = row.verdicts.get(task).and_then(Option::as_ref) {
                 let _ = write!(told, "; {verdict}");
@@ -156,8 +156,8 @@ impl BarsFigure {
             }
             let mut x = if axis.to < found { x + 4.0 } else { x };
             if let Some(ends) = interval(row) {
-                let [low, high] = ends.map(|mm| axis.at(mm).clamp(left, end));
-                whisker(canvas, [low, high], y, axis.contains(ends[1]));
+                let [.., high] =
+                    whisker(canvas, ends.map(|mm| axis.at(mm).clamp(left, end)), y, ends.map(|mm| axis.contains(mm)));
                 x = x.max(high);
             }
             numbers.push(([x + 5.0, y], format!("{found:.3}")));
@@ -204,8 +204,8 @@ impl BarsFigure {
             canvas.line([x, y - 7.0], [x, y + 7.0], &bound_look());
         }));
         if self.rows.iter().any(|row| row.intervals.iter().any(Option::is_some)) {
-            entries.push(Entry::new("90 % interval (drive stiffness)", |canvas, [x, y]| {
-                whisker(canvas, [x - 15.0, x + 15.0], y, true);
+            entries.push(Entry::new("90 % interval and median (drive stiffness)", |canvas, [x, y]| {
+                whisker(canvas, [x - 15.0, x - 4.0, x + 15.0], y, [true; 3]);
             }));
         }
         if let Some(tolerance) = self.tolerance_mm {
@@ -228,13 +228,23 @@ fn style(colour: &str, estimated: bool) -> String {
     format!(r#"fill="{colour}" fill-opacity="{opacity}" stroke="{colour}" stroke-width="1""#)
 }
 
-/// From where to where, px; without an end on the right where it goes on.
-fn whisker(canvas: &mut Canvas, [low, high]: [f64; 2], y: f64, is_ended: bool) {
+/// From where to where with the median between them, px, and which of these are on the scale: it goes on as an arrow. Where it ends in the
+/// figure.
+fn whisker(canvas: &mut Canvas, [low, median, high]: [f64; 3], y: f64, are_shown: [bool; 3]) -> [f64; 2] {
     let style = format!(r#"stroke="{GREY}" stroke-width="1.4""#);
     canvas.line([low, y], [high, y], &style);
-    for x in [Some(low), is_ended.then_some(high)].into_iter().flatten() {
-        canvas.line([x, y - 3.5], [x, y + 3.5], &style);
+    for (x, is_shown, out) in [(low, are_shown[0], -1.0), (high, are_shown[2], 1.0)] {
+        if is_shown {
+            canvas.line([x, y - 3.5], [x, y + 3.5], &style);
+        } else {
+            let arrow = path(&[[x + 7.0 * out, y], [x, y - 3.5], [x, y + 3.5]], true);
+            canvas.path(&arrow, &format!(r#"fill="{GREY}""#));
+        }
     }
+    if are_shown[1] {
+        canvas.circle([median, y], 2.8, &format!(r#"fill="{PAPER}" {style}"#));
+    }
+    [if are_shown[0] { low } else { low - 7.0 }, if are_shown[2] { high } else { high + 7.0 }]
 }
 
 fn bound_look() -> String {
@@ -265,7 +275,10 @@ mod tests {
             serial: robot.len().is_multiple_of(2),
             estimated: false,
             style: (robot == "one").then_some(RobotStyle { colour: stiffarm::palette::RATIOS[0], mark: 3 }),
-            intervals: values.iter().map(|value| value.map(|(found, _)| [0.5 * found, 1.5 * found])).collect(),
+            intervals: values
+                .iter()
+                .map(|value| value.map(|(found, _)| [0.5 * found, 1.1 * found, 1.5 * found]))
+                .collect(),
             verdicts: vec![Some("pass (P = 97 %)".into()), None],
             values,
         };
@@ -292,7 +305,7 @@ mod tests {
         assert!((widths[1] / widths[0] - 2.0).abs() < 1e-2 && (widths[2] / widths[0] - 4.0).abs() < 2e-2, "{widths:?}");
         assert_eq!(svg.matches("does not fit").count(), 2);
         assert!(svg.contains("tolerance 3 mm") && is_svg(&svg));
-        assert!(svg.contains("90 % interval 0.500 .. 1.500 mm; pass (P = 97 %)"), "{svg}");
+        assert!(svg.contains("90 % interval 0.500 .. 1.500 mm, median 1.100 mm; pass (P = 97 %)"), "{svg}");
         // An interval of three times the length of its bar, whose middle is where the bar ends; the axis begins at zero.
         let whiskers = lines_at(&svg, r#"stroke-width="1.4""#);
         let [low, high] = whiskers.iter().copied().find(|[low, high]| low < high).unwrap();

@@ -6,7 +6,7 @@ use stiffarm::palette::{DEFLECTION, FAINT, GREY, INK, OTHERS, PAPER, on_margin_s
 
 use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
-use super::canvas::{Canvas, Font};
+use super::canvas::{Canvas, Font, path};
 use super::legend::{Entry, Legend};
 use super::marks::left_out;
 
@@ -74,8 +74,13 @@ fn compliances(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
             let ([x, from], [_, to]) = (place(urad(low)), place(urad(high)));
             let look = format!(r#"stroke="{INK}" stroke-width="1.4""#);
             canvas.line([x, from], [x, to], &look);
-            for y in [from, to] {
-                canvas.line([x - 6.0, y], [x + 6.0, y], &look);
+            canvas.line([x - 6.0, from], [x + 6.0, from], &look);
+            if urad(high) <= frame.y.to {
+                canvas.line([x - 6.0, to], [x + 6.0, to], &look);
+            } else {
+                // It goes on.
+                let arrow = path(&[[x, to - 9.0], [x - 5.0, to], [x + 5.0, to]], true);
+                canvas.path(&arrow, &format!(r#"fill="{INK}""#));
             }
         } else {
             let [x, y] = frame.at(at, 0.0);

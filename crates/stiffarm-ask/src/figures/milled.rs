@@ -44,13 +44,13 @@ impl MilledFigure<'_> {
         let Some(found) = self.answer.followed() else { return canvas.finish() };
         let worst = found.worst.0 * 1e3;
         let title = format!("{} along {}", self.answer.robot.full_name(), self.answer.path);
-        let bound = self.answer.lower_bound().unwrap_or(0.0) * 1e3;
-        let subtitle = format!(
-            "largest error {} mm, proved no less than {} mm; {}",
-            fixed(worst, 3),
-            fixed(bound, 3),
-            self.answer.force
-        );
+        let bound = self.answer.lower_bound().map_or(0.0, |bound| bound * 1e3);
+        let proved = if 0.0 < bound {
+            format!("proved no less than {} mm", fixed(bound, 3))
+        } else {
+            "no lower bound proved".into()
+        };
+        let subtitle = format!("largest error {} mm, {proved}; {}", fixed(worst, 3), self.answer.force);
         let top = heading(&mut canvas, &title, &subtitle) + 34.0;
         let room = [LEFT, canvas.width - RIGHT];
         let bands = self.bands(worst);
