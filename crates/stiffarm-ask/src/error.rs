@@ -123,7 +123,7 @@ pub enum AskError {
         /// Which zone.
         task: String,
         /// Why.
-        reason: stiffarm::place::Misfit,
+        reason: Box<stiffarm::place::Misfit>,
     },
     /// A map that cannot be made.
     #[error("{robot}: {error}")]

@@ -34,9 +34,12 @@ pub use crate::error::AskError;
 use crate::forms::{Answer, Forms};
 use crate::request::{Request, Verb};
 
+/// An answer, or why there is none.
+type Answered<'a> = Result<Box<dyn Answer + 'a>, AskError>;
+
 /// Who answers a kind of question, and in which forms.
 struct Answerer {
-    answer: for<'a> fn(&'a Request, Context<'a>) -> Result<Box<dyn Answer + 'a>, AskError>,
+    answer: for<'a> fn(&'a Request, Context<'a>) -> Answered<'a>,
     forms: Forms,
 }
 

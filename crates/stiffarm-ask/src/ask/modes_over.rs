@@ -22,7 +22,7 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOv
     let best = match placed.map_err(failure)? {
         Placed::Feasible(best) => best,
         Placed::Infeasible { reason, .. } => {
-            return Err(AskError::NoPlace { robot: robot.name.clone(), task: task.label, reason });
+            return Err(AskError::NoPlace { robot: robot.name.clone(), task: task.label, reason: reason.into() });
         }
     };
     let over = modes_over(&model, task.work, &options, &best, &tool).map_err(AskError::Modes)?;

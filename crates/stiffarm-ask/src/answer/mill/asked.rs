@@ -64,20 +64,8 @@ impl MillAnswer {
         let shank = process.as_ref().and_then(|(_, process)| process.shank);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
-        let mut stock = match (asked.stock(), &forcing) {
-            (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
-                let area = (high[0] - low[0]) * (high[1] - low[1]);
-                let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());
-                remarks.push(format!(
-                    "stock in cells of {} mm: cuts narrower than {} mm are not seen, and the width of any cut is known to that",
-                    fixed(cell * 1e3, 3),
-                    fixed(cell * 1.5e3, 3)
-                ));
-                Some(Stock::block(low, high, cell)?)
-            }
-            (Some(_), _) => return Err(of_force(ForcedError::NoMill)),
-            (None, _) => None,
-        };
+        let (mut stock, known_to) = block_of(asked, &forcing, &path)?;
+        remarks.extend(known_to);
         let survey = surveyed(asked, moves.iter());
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         if let Some(clear_of) = &mut options.clear_of {
@@ -265,6 +253,27 @@ fn compensation(
         })
         .transpose()?;
     Ok(Compensation { done, remaining })
+}
+
+/// The block from which the path is cut, where one is given, and how finely it is known.
+fn block_of(
+    asked: &Request,
+    forcing: &Forcing,
+    path: &str,
+) -> Result<(Option<Stock>, Option<String>), MillAnswerError> {
+    let Some([low, high]) = asked.stock() else { return Ok((None, None)) };
+    let Forcing::Process(Process { law: Law::Milling(milling), .. }) = forcing else {
+        let path = on_one_line(path).into_owned();
+        return Err(MillAnswerError::Force { path, error: ForcedError::NoMill });
+    };
+    let area = (high[0] - low[0]) * (high[1] - low[1]);
+    let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());
+    let known_to = format!(
+        "stock in cells of {} mm: cuts narrower than {} mm are not seen, and the width of any cut is known to that",
+        fixed(cell * 1e3, 3),
+        fixed(cell * 1.5e3, 3)
+    );
+    Ok((Some(Stock::block(low, high, cell)?), Some(known_to)))
 }
 
 /// How large the force of a process is along a path, in words.
