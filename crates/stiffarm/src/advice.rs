@@ -92,7 +92,7 @@ impl AtPlace {
 /// tried.) At most some 30 are placed in the plane, to 0.1 % of the size, and 8 in space, to 1 %; 6 of a part, to 3 %.
 ///
 /// # Errors
-/// As [`place`](crate::place::place). A search that does not end ends the search for the largest zone, and is none.
+/// As [`place`]. A search that does not end ends the search for the largest zone, and is none.
 pub fn advise(
     model: &Model,
     work: &Work,
