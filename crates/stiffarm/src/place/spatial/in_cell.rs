@@ -17,6 +17,7 @@ use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
+use crate::clearance::ThickArm;
 use crate::interval::Interval;
 use crate::inverse::{Configuration, posture_of};
 use crate::place::Orientation;
@@ -119,11 +120,14 @@ struct CellSearch<'a> {
     zone: Zone,
     roll_is_free: bool,
     ground: Ground<'a>,
+    /// The arm as it must keep clear; `None` where no body of it is known.
+    thick: Option<ThickArm<'a>>,
 }
 
 impl<'a> CellSearch<'a> {
     fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, ground: Ground<'a>) -> Self {
-        Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 }
+        let thick = ThickArm::new(robot, &arm.flange_from_tool, None);
+        Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0, thick }
     }
 
     /// The best place that keeps the clearance that is asked for, by the best of all places: that itself where it keeps it.
@@ -249,7 +253,7 @@ impl<'a> CellSearch<'a> {
     fn scored_below(&self, site: &Site, grid: &Grid, bound: Score) -> Scored {
         self.allowed(site, |search, work| match self.ground.cell.clearance {
             None => search.candidate_below(*work, grid, bound).score,
-            Some(asked) => search.score_clear_by(asked, self.reserve, work, (grid, bound)),
+            Some(asked) => search.score_clear_by([asked, self.reserve], self.thick.as_ref(), work, (grid, bound)),
         })
     }
 
@@ -317,7 +321,13 @@ impl<'a> CellSearch<'a> {
 impl Search<'_> {
     /// The score of the best configuration that keeps a clearance, m, and a reserve besides, where it is less than a bound; where none keeps it,
     /// how far it is from that.
-    fn score_clear_by(&self, asked: f64, reserve: f64, work: &WorkPlacement, (grid, bound): (&Grid, Score)) -> Score {
+    fn score_clear_by(
+        &self,
+        [asked, reserve]: [f64; 2],
+        thick: Option<&ThickArm>,
+        work: &WorkPlacement,
+        (grid, bound): (&Grid, Score),
+    ) -> Score {
         let mut scores: Vec<(Score, Configuration)> =
             self.scores_below(work, grid, bound).into_iter().zip(Configuration::ALL).collect();
         scores.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -327,7 +337,7 @@ impl Search<'_> {
         }
         let mut short = f64::INFINITY;
         for (score, configuration) in scores.into_iter().filter(|(score, _)| score.is_feasible()) {
-            match self.rough_clearance(work, configuration) {
+            match thick.and_then(|thick| self.rough_clearance(thick, work, configuration)) {
                 Some(clearance) if clearance < asked + reserve => short = short.min(asked - clearance),
                 _ => return score,
             }
@@ -336,14 +346,14 @@ impl Search<'_> {
     }
 
     /// The nearest at some poses of one configuration, m.
-    fn rough_clearance(&self, work: &WorkPlacement, configuration: Configuration) -> Option<f64> {
+    fn rough_clearance(&self, thick: &ThickArm, work: &WorkPlacement, configuration: Configuration) -> Option<f64> {
         let plane = WorkPlane::of(self.options.elevation, work);
         let tool_from_flange = self.arm.flange_from_tool.inverse();
         let held = Grid::of(self.zone, 2)
             .points
             .into_iter()
             .filter_map(|at| posture_of(&self.arm.geometry, &(plane.pose(work, at) * tool_from_flange), configuration));
-        Some(self.clearance_over(work, 0.0, &held.collect::<Vec<_>>())?.distance)
+        self.least_distance(thick, work, &held.collect::<Vec<_>>())
     }
 }
 
