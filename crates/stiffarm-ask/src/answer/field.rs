@@ -154,7 +154,7 @@ fields! {
     DEFLECTION: "deflection_mm", Kind::Number(Unit::Millimetre), "The worst deflection in the zone at its best place.";
     LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No allowed place has less.";
     DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less there; null where nothing says how they may be.";
-    DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "The median of drives as they may be; more than with the drives as they are told, as a soft drive adds more than a stiff one takes away.";
+    DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "The median of drives as they may be; mostly more than with the drives as they are told, as a soft drive adds more than a stiff one takes away.";
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
     WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";

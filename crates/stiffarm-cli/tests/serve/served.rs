@@ -71,9 +71,8 @@ impl Served {
         )
     }
 
-    /// Asked by somebody who waits as long as a slow machine takes.
     pub(crate) fn ask(&self, path: &str, body: &Value) -> Reply {
-        self.post(path, "Prefer: wait=600\r\n", &body.to_string())
+        self.post(path, "", &body.to_string())
     }
 }
 

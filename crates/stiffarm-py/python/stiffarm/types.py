@@ -1599,8 +1599,8 @@ class _Placed(_Pass):
     """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
 
     deflection_mm_p50: float | None
-    """The median of drives as they may be; more than with the drives as they are told, as a soft drive adds more
-    than a stiff one takes away."""
+    """The median of drives as they may be; mostly more than with the drives as they are told, as a soft drive
+    adds more than a stiff one takes away."""
 
     deflection_mm_p95: float | None
     """Five of a hundred give more."""
@@ -3920,8 +3920,8 @@ class ComplianceDict(TypedDict):
     """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
 
     deflection_mm_p50: float | None
-    """The median of drives as they may be; more than with the drives as they are told, as a soft drive adds more
-    than a stiff one takes away."""
+    """The median of drives as they may be; mostly more than with the drives as they are told, as a soft drive
+    adds more than a stiff one takes away."""
 
     deflection_mm_p95: float | None
     """Five of a hundred give more."""
