@@ -82,8 +82,8 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Direction => "direction",
         Kind::Date => "date",
         Kind::Heading => "heading",
-        Kind::Task => "task",
-        Kind::Zone => "zone",
+        // A zone that is typed for one verb is meant for another one, too.
+        Kind::Task | Kind::Zone => "task",
         Kind::Shape => "shape",
         Kind::Posture => "posture",
     }
