@@ -89,6 +89,10 @@ def test_numbers_out_of_range_are_named():
     refused("size", stiffarm.map, ROBOT, size=1)
     refused("zone", stiffarm.map, ROBOT, within_m="0..")
     refused("space", stiffarm.map, ROBOT, model="spatial", zone="A:0.3")
+    for no_zone in (5, ["A:0.3", "B:0.3"]):
+        refused("zone=.*; expected a text", stiffarm.map, ROBOT, zone=no_zone)
+        refused("task=.*; expected a text", stiffarm.measure, ROBOT, task=no_zone)
+    refused("expected one flat zone", stiffarm.measure, ROBOT, task="box:0.3x0.2x0.1")
     refused("normal", stiffarm.map, ROBOT, component="normal")
     refused("expected", stiffarm.study, sizes=[-1])
     refused("two", stiffarm.study, compare=("serial",))

@@ -78,7 +78,7 @@ def _text(option: Option, value: object) -> str | None:
         return _given.listed(name, pairs)
     if kind == "flag":
         return str(_given.truth(name, value)).lower()
-    if kind in ("text", "file", "date", "word", "robot", "task", "shape", "posture", "mount"):
+    if kind in ("text", "file", "date", "word", "robot", "task", "zone", "shape", "posture", "mount"):
         return _given.listed(name, value) if option.is_list else _given.text(name, value)
     if isinstance(value, str):
         return value

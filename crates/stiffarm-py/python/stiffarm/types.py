@@ -341,7 +341,7 @@ class MapOptions(TypedDict, total=False):
     quantity: Literal["deflection", "first-frequency"]
     """What is mapped, with model="spatial"."""
 
-    zone: npt.ArrayLike | None
+    zone: str | None
     """Draw the best placement of this task [planar model only]."""
 
     step_m: float | None
@@ -450,7 +450,7 @@ class StudyOptions(TypedDict, total=False):
     """Shapes at size 1: A, B, C, or such as rect:1x3; the shape of the task is studied besides, and instead
     where nothing is said here."""
 
-    task: npt.ArrayLike | None
+    task: str | None
     """A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which
     architecture is stiffer there."""
 
@@ -649,7 +649,7 @@ class MeasureOptions(TypedDict, total=False):
     """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
     (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
 
-    task: npt.ArrayLike | None
+    task: str | None
     """The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at
     its best place, the tool down [default: anywhere within the limits]."""
 
@@ -796,7 +796,7 @@ class ModesOptions(TypedDict, total=False):
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
 
-    task: npt.ArrayLike | None
+    task: str | None
     """Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the
     least and the largest frequencies, and a proved least first frequency."""
 

@@ -318,6 +318,7 @@ fn python_type(setting: &Setting) -> String {
             Kind::Text
             | Kind::Robot
             | Kind::Task
+            | Kind::Zone
             | Kind::Shape
             | Kind::Posture
             | Kind::Spindle
@@ -330,6 +331,7 @@ fn python_type(setting: &Setting) -> String {
             Kind::Text
             | Kind::Robot
             | Kind::Task
+            | Kind::Zone
             | Kind::Shape
             | Kind::Posture
             | Kind::Marker
@@ -346,7 +348,24 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),
         (Kind::Force, _) => "float | npt.ArrayLike".into(),
         (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw | Kind::Roll, _) => "str | float".into(),
-        _ => "npt.ArrayLike".into(),
+        // Numbers, one or many. No kind is left out: a new one must decide.
+        (
+            Kind::Number { .. }
+            | Kind::Whole { .. }
+            | Kind::Tool
+            | Kind::Point
+            | Kind::Direction
+            | Kind::Marker
+            | Kind::Way
+            | Kind::FileOfTool
+            | Kind::LengthOfTool
+            | Kind::Pin
+            | Kind::Spindle
+            | Kind::Mount
+            | Kind::File
+            | Kind::Date,
+            _,
+        ) => "npt.ArrayLike".into(),
     };
     if matches!(setting.absent, Absent::Default(_)) { usual } else { format!("{usual} | None") }
 }
