@@ -186,6 +186,14 @@ impl Canvas {
         let _ = writeln!(self.body, r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" {look}/>"#);
     }
 
+    /// A tip that says that what ends here goes on: from the middle of its foot so far, and half as wide as its foot.
+    pub(crate) fn goes_on(&mut self, [x, y]: Px, [right, down]: Px, half: f64, colour: &str) {
+        let length = right.hypot(down);
+        let (across, along) = (half * down / length, half * right / length);
+        let tip = path(&[[x + right, y + down], [x - across, y + along], [x + across, y - along]], true);
+        self.path(&tip, &format!(r#"fill="{colour}""#));
+    }
+
     /// A circle.
     pub(crate) fn circle(&mut self, [x, y]: Px, radius: f64, look: &str) {
         let _ = writeln!(self.body, r#"<circle cx="{}" cy="{}" r="{}" {look}/>"#, number(x), number(y), number(radius));

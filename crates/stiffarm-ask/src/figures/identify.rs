@@ -6,7 +6,7 @@ use stiffarm::palette::{DEFLECTION, FAINT, GREY, INK, OTHERS, PAPER, on_margin_s
 
 use super::FigureSize;
 use super::axes::{Axis, Frame, heading};
-use super::canvas::{Canvas, Font, path};
+use super::canvas::{Canvas, Font};
 use super::legend::{Entry, Legend};
 use super::marks::left_out;
 
@@ -78,9 +78,7 @@ fn compliances(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
             if urad(high) <= frame.y.to {
                 canvas.line([x - 6.0, to], [x + 6.0, to], &look);
             } else {
-                // It goes on.
-                let arrow = path(&[[x, to - 9.0], [x - 5.0, to], [x + 5.0, to]], true);
-                canvas.path(&arrow, &format!(r#"fill="{INK}""#));
+                canvas.goes_on([x, to], [0.0, -9.0], 5.0, INK);
             }
         } else {
             let [x, y] = frame.at(at, 0.0);
