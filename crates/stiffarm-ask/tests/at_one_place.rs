@@ -149,6 +149,41 @@ fn a_place_that_is_told_keeps_the_clearance_that_is_asked_for() {
     assert_eq!((asked * 1e3, otherwise.map(|kept| kept.distance * 1e3)), (has + 1.0, Some(has)));
 }
 
+/// In a cell, too, one place is one place: a box that stands there forbids it, and nothing turns the work about the joint-1 axis to where there
+/// is room. (It was turned by 120 deg, and passed.)
+#[test]
+fn one_place_stays_where_it_is_in_a_cell() {
+    let there = [
+        ("task", "rect:0.3x0.2"),
+        ("model", "spatial"),
+        ("tool", "spindle:250@90"),
+        ("force-n", "300"),
+        ("at", "1.2,0.9"),
+    ];
+    let with = |more: &[(&str, &str)]| placed(&[&there[..], more].concat());
+    let free = feasible(&there);
+    let aside = ("keep-out", "1..2,1..3,..1.2");
+    for more in [&[("clearance-mm", "10")][..], &[aside], &[("mount", "floor@30"), ("clearance-mm", "10")]] {
+        let found = with(more);
+        let Placed::Feasible(found) = &found else { panic!("{more:?}: {found:?}") };
+        assert!(found.space().unwrap().bearing.abs() < 1e-9, "{more:?}: {found:?}");
+        assert!((found.centre[0] - 1.2).abs() < 1e-6 && (found.centre[1] - 0.9).abs() < 1e-6, "{:?}", found.centre);
+        assert!((found.deflection / free.deflection - 1.0).abs() < 1e-2, "{more:?}: {found:?} {free:?}");
+    }
+    assert!(matches!(with(&[("keep-out", "1..2,-3..3,..1.2")]), Placed::Infeasible { .. }));
+}
+
+/// A clearance that the best place keeps anyway costs nothing: where nothing stands about the robot, the work stands in front of it as it does
+/// where no clearance is asked for.
+#[test]
+fn a_clearance_that_is_kept_anyway_changes_no_place() {
+    let asked =
+        [("task", "rect:0.3x0.2"), ("model", "spatial"), ("tool", "spindle:250@90"), ("within", "0.8..,0.5..1.2")];
+    let (free, clear) = (feasible(&asked), feasible(&[&asked[..], &[("clearance-mm", "0")]].concat()));
+    assert!(!free.collides_in_space() && clear.space().unwrap().bearing.abs() < 1e-9, "{free:?} {clear:?}");
+    assert!((clear.deflection / free.deflection - 1.0).abs() < 2e-2, "{} {}", clear.deflection, free.deflection);
+}
+
 #[test]
 fn what_one_place_cannot_have_is_refused() {
     let refused = |given: &[(&str, &str)]| match asked(given) {

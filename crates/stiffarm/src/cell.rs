@@ -74,6 +74,8 @@ pub struct Cell {
     pub azimuth: Option<f64>,
     /// The arm keeps this distance, m, from everything, where it is asked.
     pub clearance: Option<f64>,
+    /// Work stands straight ahead of the robot, or straight behind it, and nowhere else about its vertical joint-1 axis.
+    pub is_ahead: bool,
 }
 
 impl Block {
@@ -161,7 +163,14 @@ impl Mount {
 impl Cell {
     /// A robot on the floor, and nothing about it.
     pub fn of(mount: Mount) -> Self {
-        Self { mount, windows: [None; MOST_BLOCKS], keep_out: [None; MOST_BLOCKS], azimuth: None, clearance: None }
+        Self {
+            mount,
+            windows: [None; MOST_BLOCKS],
+            keep_out: [None; MOST_BLOCKS],
+            azimuth: None,
+            clearance: None,
+            is_ahead: false,
+        }
     }
 
     /// The same seen from a base that is turned to the left about its joint-1 axis, rad.

@@ -15,6 +15,8 @@ pub(super) struct CellOptions {
     pub(super) clearance: Option<f64>,
     /// Another floor is asked for.
     pub(super) has_floor: bool,
+    /// One place is asked for: straight ahead, wherever else about the joint-1 axis there would be room.
+    pub(super) is_at: bool,
 }
 
 impl CellOptions {
@@ -59,6 +61,10 @@ impl CellOptions {
         for (place, block) in cell.keep_out.iter_mut().zip(self.keep_out) {
             *place = Some(block);
         }
+        // Where nothing stands about the robot, one bearing is as good as another, and the work stands in front.
+        let is_alike =
+            cell.keep_out().next().is_none() && windows.iter().all(|window| matches!(window, Window::Ring { .. }));
+        cell.is_ahead = turns_freely && (self.is_at || is_alike);
         if let ([Window::Ring { ahead, z }], false) = (windows.as_slice(), cell.decides_the_search()) {
             let within = Within { x: *ahead, z: mount.heights_from_base(*z) };
             return PlaceOptions { within: Some(within), cell: Some(cell), ..*options };
@@ -100,6 +106,7 @@ mod tests {
             keep_out: Vec::new(),
             clearance: None,
             has_floor: false,
+            is_at: false,
         };
         wish.of(&PlaceOptions { stance: Some(stance), ..PlaceOptions::under(Load::PAPER) }, true)
     }

@@ -299,6 +299,7 @@ impl Request {
             keep_out: self.all(opt::KEEP_OUT),
             clearance: self.clearance(),
             has_floor: self.is_given(opt::FLOOR),
+            is_at: self.is_given(opt::AT),
         }
     }
 

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
 use super::descent::{FINE, Score, descend};
-use super::search::{CELLS, Candidate, Search};
+use super::search::{CELLS, Candidate, HALVING, LOOSE, Search};
 use super::site::{Ground, Site};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
@@ -26,9 +26,12 @@ use crate::task::Zone;
 use crate::watch::{Parts, Stopped};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
-/// How much is looked at; the second where the first finds nothing and nothing is proved.
-const EFFORTS: [Effort; 2] =
-    [Effort { places: 40_000.0, starts: 24, finalists: 6 }, Effort { places: 320_000.0, starts: 120, finalists: 40 }];
+/// How much is looked at.
+const USUAL: Effort = Effort { places: 40_000.0, starts: 24, finalists: 6 };
+/// The same where the bound lies farther below the value than [`LOOSE`].
+const LARGE: Effort = Effort { places: 80_000.0, starts: 72, finalists: 12 };
+/// The same where nothing is found and nothing is proved.
+const LARGEST: Effort = Effort { places: 320_000.0, starts: 120, finalists: 40 };
 
 /// Sites whose clearance is looked at before it is asked whether they are enough.
 const BLOCK: usize = 256;
@@ -63,11 +66,8 @@ pub(super) fn search(
     options: &Question,
     cell: &Cell,
 ) -> Result<Placed, Stopped> {
-    let open = Cell { clearance: None, ..*cell };
-    let open = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, &open));
-    let mut search = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, cell));
-    let mut free = open.taken(EFFORTS[0])?;
-    let mut found = search.keeping(&free, EFFORTS[0])?;
+    let search = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, cell));
+    let mut found = search.best(USUAL)?;
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
     let value = |found: &Result<Solution, _>| {
@@ -75,13 +75,18 @@ pub(super) fn search(
     };
     let mut proof = bound.prove(value(&found))?;
     if found.is_err() && !proof.unfathomed.is_empty() {
-        if free.is_err() {
-            free = open.taken(EFFORTS[1])?;
-        }
-        found = search.keeping(&free, EFFORTS[1])?;
+        found = search.best(LARGEST)?;
         if found.is_ok() {
             proof = bound.prove(value(&found))?;
         }
+    }
+    if found.is_ok()
+        && proof.lower < value(&found) * (1.0 - LOOSE)
+        && let Ok(better) = search.best(LARGE)?
+        && better.deflection / options.force < value(&found) * (1.0 - HALVING)
+    {
+        found = Ok(better);
+        proof = bound.prove(value(&found))?;
     }
     Ok(match found {
         Ok(solution) => Placed::Feasible(
@@ -100,21 +105,23 @@ pub(super) fn search(
     })
 }
 
-/// Why no place was taken, and by how much, m, the least touching of them missed the clearance that was asked for.
-struct Untaken {
-    reason: Misfit,
-    short: Option<f64>,
+/// Why no place was taken.
+enum Untaken {
+    Misfit(Misfit),
+    /// By so much, m, the least touching of some places missed the clearance that was asked for.
+    TooNear(f64),
 }
 
-impl From<Misfit> for Untaken {
-    fn from(reason: Misfit) -> Self {
-        Self { reason, short: None }
-    }
+/// What the arm keeps from everything, m.
+#[derive(Clone, Copy, Debug)]
+struct Keep {
+    /// What is asked for.
+    asked: f64,
+    /// What is kept besides: the search looks at few poses of a zone, the answer at many.
+    reserve: f64,
 }
 
 struct CellSearch<'a> {
-    /// Added to the clearance that is asked for, m.
-    reserve: f64,
     robot: &'a Robot,
     arm: &'a SpatialArm,
     zone: Zone,
@@ -127,86 +134,90 @@ struct CellSearch<'a> {
 impl<'a> CellSearch<'a> {
     fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, ground: Ground<'a>) -> Self {
         let thick = ThickArm::new(robot, &arm.flange_from_tool, None);
-        Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0, thick }
+        Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, thick }
     }
 
-    /// The best place that keeps the clearance that is asked for, by the best of all places: that itself where it keeps it.
-    fn keeping(
-        &mut self,
-        free: &Result<Solution, Misfit>,
-        effort: Effort,
-    ) -> Result<Result<Solution, Misfit>, Stopped> {
-        let (Some(asked), Ok(best)) = (self.ground.cell.clearance, free) else { return Ok(free.clone()) };
-        let otherwise = best.clearance;
-        if otherwise.is_some_and(|kept| asked <= kept.distance) {
-            return Ok(free.clone());
-        }
-        self.reserve = 0.0;
-        let mut found = self.find(effort)?;
-        // The search looks at few poses of a zone, the answer at many: what they come nearer by is asked for besides.
-        for _ in 0..TOUCHES {
-            let Err(Untaken { short: Some(short), .. }) = found else { break };
-            self.reserve += short + FINE.0;
-            found = self.find(effort)?;
-        }
-        Ok(found.map_err(|_| Misfit::Clearance { asked, otherwise }))
-    }
-
-    /// The best place, or why none was found.
-    fn taken(&self, effort: Effort) -> Result<Result<Solution, Misfit>, Stopped> {
-        Ok(self.find(effort)?.map_err(|untaken| untaken.reason))
-    }
-
-    fn find(&self, effort: Effort) -> Result<Result<Solution, Untaken>, Stopped> {
+    /// The best place that keeps the clearance that is asked for, or why none was found.
+    fn best(&self, effort: Effort) -> Result<Result<Solution, Misfit>, Stopped> {
         let (sites, step) = self.ground.sites(effort.places);
-        let grid = Grid::of(self.zone, CELLS[0]);
         if sites.is_empty() {
-            let why = if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow };
-            return Ok(Err(why.into()));
+            return Ok(Err(if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow }));
         }
-        let seen = self.coarse(&sites, (&grid, step), effort.starts)?;
-        if seen.is_empty() {
-            return Ok(Err(Misfit::Within.into()));
+        let free = self.coarse(&sites)?;
+        if free.is_empty() {
+            return Ok(Err(Misfit::Within));
         }
-        let coarse = seen[0].score;
-        let starts = apart(&seen, step, effort.starts);
-        let mut rough = self.refined(&starts, CELLS[1], step / 2.0)?;
-        rough.truncate(effort.finalists);
-        let refined = self.refined(&rough, CELLS[2], step / 8.0)?;
-        if refined.is_empty() {
-            return Ok(Err(Misfit::NowhereWhole { step }.into()));
+        let best = match self.find((&free, step), effort, None)? {
+            Ok(best) => best,
+            Err(Untaken::Misfit(misfit)) => return Ok(Err(misfit)),
+            Err(Untaken::TooNear(_)) => unreachable!("nothing is too near where no clearance is asked for"),
+        };
+        // Where the best of all places keeps it, no other is better.
+        let Some(asked) = self.ground.cell.clearance else { return Ok(Ok(best)) };
+        if best.clearance.is_some_and(|kept| asked <= kept.distance) {
+            return Ok(Ok(best));
         }
-        let mut touching: Option<Untaken> = None;
-        for found in &refined {
-            let Some(solution) = self.evaluated(found, coarse, step)? else { continue };
-            match self.ground.cell.clearance {
-                Some(asked) if !solution.clearance.is_some_and(|clearance| asked <= clearance.distance) => {
-                    let missed = solution.clearance.map(|clearance| asked - clearance.distance);
-                    let short = [missed, touching.and_then(|touching| touching.short)];
-                    let short = short.into_iter().flatten().min_by(f64::total_cmp);
-                    touching = Some(Untaken { reason: Misfit::Clearance { asked, otherwise: None }, short });
-                }
-                _ => return Ok(Ok(solution)),
+        let mut keep = Keep { asked, reserve: 0.0 };
+        for _ in 0..=TOUCHES {
+            match self.find((&free, step), effort, Some(keep))? {
+                Ok(found) => return Ok(Ok(found)),
+                Err(Untaken::TooNear(short)) => keep.reserve += short + FINE.0,
+                Err(Untaken::Misfit(_)) => break,
             }
         }
-        Ok(Err(touching.unwrap_or(Misfit::Turning.into())))
+        Ok(Err(Misfit::Clearance { asked, otherwise: best.clearance }))
     }
 
-    /// Sites, the best first: enough for so many starts, or all that are reached.
-    fn coarse(&self, sites: &[Site], (grid, step): (&Grid, f64), starts: usize) -> Result<Vec<Scored>, Stopped> {
-        let scored = |site: &Site| self.parts().one_more().map(|()| self.free(site, grid));
-        let mut free: Vec<Scored> = sites.par_iter().map(scored).collect::<Result<_, _>>()?;
-        free.retain(|scored| scored.score.unreached < usize::MAX);
-        let by_score = |a: &Scored, b: &Scored| a.score.total_cmp(&b.score);
-        free.sort_by(by_score);
-        if self.ground.cell.clearance.is_none() {
-            return Ok(free);
+    /// The sites that are reached, whatever the arm touches there, the best first.
+    fn coarse(&self, sites: &[Site]) -> Result<Vec<Scored>, Stopped> {
+        let grid = Grid::of(self.zone, CELLS[0]);
+        let scored = |site: &Site| self.parts().one_more().map(|()| self.scored_below(site, &grid, Score::NONE, None));
+        let mut scored: Vec<Scored> = sites.par_iter().map(scored).collect::<Result<_, _>>()?;
+        scored.retain(|scored| scored.score.unreached < usize::MAX);
+        scored.sort_by(|a, b| a.score.total_cmp(&b.score));
+        Ok(scored)
+    }
+
+    /// The best place from the best sites; these as they are without a clearance.
+    fn find(
+        &self,
+        (free, step): (&[Scored], f64),
+        effort: Effort,
+        keep: Option<Keep>,
+    ) -> Result<Result<Solution, Untaken>, Stopped> {
+        let clear = keep.map(|keep| self.settled((free, step), effort.starts, keep)).transpose()?;
+        let seen = clear.as_deref().unwrap_or(free);
+        let coarse = seen[0].score;
+        let mut rough = self.refined(&apart(seen, step, effort.starts), CELLS[1], step / 2.0, keep)?;
+        rough.truncate(effort.finalists);
+        let refined = self.refined(&rough, CELLS[2], step / 8.0, keep)?;
+        if refined.is_empty() {
+            return Ok(Err(Untaken::Misfit(Misfit::NowhereWhole { step })));
         }
-        // To keep a clearance makes no place better: those that follow are no better than they are without it.
+        let mut short: Option<f64> = None;
+        for found in &refined {
+            let Some(solution) = self.evaluated(found, coarse, step)? else { continue };
+            let Some(Keep { asked, .. }) = keep else { return Ok(Ok(solution)) };
+            let Some(kept) = solution.clearance else { continue };
+            if asked <= kept.distance {
+                return Ok(Ok(solution));
+            }
+            short = Some(short.map_or(asked - kept.distance, |least| least.min(asked - kept.distance)));
+        }
+        Ok(Err(short.map_or(Untaken::Misfit(Misfit::Turning), Untaken::TooNear)))
+    }
+
+    /// Sites by what they are where the arm keeps clear, the best first: enough for so many starts, or all.
+    fn settled(&self, (free, step): (&[Scored], f64), starts: usize, keep: Keep) -> Result<Vec<Scored>, Stopped> {
+        let grid = Grid::of(self.zone, CELLS[0]);
+        let by_score = |a: &Scored, b: &Scored| a.score.total_cmp(&b.score);
+        // To keep clear makes no place better: those that follow are no better than they are without it.
         let mut seen: Vec<Scored> = Vec::new();
         for block in free.chunks(BLOCK) {
-            let scored = |free: &Scored| self.parts().go_on().map(|()| self.scored(&free.site, grid));
-            seen.extend(block.par_iter().map(scored).collect::<Result<Vec<_>, _>>()?);
+            let kept = |free: &Scored| {
+                self.parts().go_on().map(|()| self.scored_below(&free.site, &grid, Score::NONE, Some(keep)))
+            };
+            seen.extend(block.par_iter().map(kept).collect::<Result<Vec<_>, _>>()?);
             seen.sort_by(by_score);
             let last = block.last().expect("no empty block");
             let settled = seen.partition_point(|scored| by_score(scored, last).is_le());
@@ -222,9 +233,9 @@ impl<'a> CellSearch<'a> {
     }
 
     /// Every start refined, the best first.
-    fn refined(&self, starts: &[Scored], cells: usize, step: f64) -> Result<Vec<Scored>, Stopped> {
+    fn refined(&self, starts: &[Scored], cells: usize, step: f64, keep: Option<Keep>) -> Result<Vec<Scored>, Stopped> {
         let grid = Grid::of(self.zone, cells).outermost_first();
-        let refined = starts.par_iter().map(|start| self.descend(start, &grid, step));
+        let refined = starts.par_iter().map(|start| self.descend(start, &grid, step, keep));
         let mut refined: Vec<Scored> = refined.collect::<Result<_, _>>()?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         refined.retain(|scored| scored.score.is_feasible());
@@ -232,38 +243,28 @@ impl<'a> CellSearch<'a> {
     }
 
     /// Steps in every direction of what is free, halved where none is better.
-    fn descend(&self, start: &Scored, grid: &Grid, first_step: f64) -> Result<Scored, Stopped> {
+    fn descend(&self, start: &Scored, grid: &Grid, first_step: f64, keep: Option<Keep>) -> Result<Scored, Stopped> {
         let directions = self.ground.directions();
         descend(
-            (self.scored(&start.site, grid), [first_step, 0.15], self.parts()),
+            (self.scored_below(&start.site, grid, Score::NONE, keep), [first_step, 0.15], self.parts()),
             |scored| scored.score,
             |best, [step, turn]| {
-                let moved = directions.iter().map(|way| start_from(&best.site, way, step, turn));
-                moved.map(|site| self.scored_below(&site, grid, best.score)).collect()
+                let moved = directions.iter().map(|way| self.ground.reined(start_from(&best.site, way, step, turn)));
+                moved.map(|site| self.scored_below(&site, grid, best.score, keep)).collect()
             },
         )
     }
 
-    /// The score of the best configuration that keeps the clearance asked for; where none keeps it, how far it is from that.
-    fn scored(&self, site: &Site, grid: &Grid) -> Scored {
-        self.scored_below(site, grid, Score::NONE)
-    }
-
-    /// The same where the score is less than a bound; else any score that is not.
-    fn scored_below(&self, site: &Site, grid: &Grid, bound: Score) -> Scored {
-        self.allowed(site, |search, work| match self.ground.cell.clearance {
+    /// The score of the best configuration that keeps clear, where it is less than a bound, else any score that is not; where none keeps clear, how
+    /// far it is from that.
+    fn scored_below(&self, site: &Site, grid: &Grid, bound: Score, keep: Option<Keep>) -> Scored {
+        if !self.ground.allows(site) {
+            return Scored { site: *site, score: Score::NONE };
+        }
+        let score = self.at(site, |search, work| match keep {
             None => search.candidate_below(*work, grid, bound).score,
-            Some(asked) => search.score_clear_by([asked, self.reserve], self.thick.as_ref(), work, (grid, bound)),
-        })
-    }
-
-    /// The score of the best configuration, whatever it touches.
-    fn free(&self, site: &Site, grid: &Grid) -> Scored {
-        self.allowed(site, |search, work| search.candidate(*work, grid).score)
-    }
-
-    fn allowed(&self, site: &Site, score: impl FnOnce(&Search, &WorkPlacement) -> Score) -> Scored {
-        let score = if self.ground.allows(site) { self.at(site, score) } else { Score::NONE };
+            Some(keep) => search.score_clear_by(keep, self.thick.as_ref(), work, (grid, bound)),
+        });
         Scored { site: *site, score }
     }
 
@@ -319,11 +320,10 @@ impl<'a> CellSearch<'a> {
 }
 
 impl Search<'_> {
-    /// The score of the best configuration that keeps a clearance, m, and a reserve besides, where it is less than a bound; where none keeps it,
-    /// how far it is from that.
+    /// The score of the best configuration that keeps clear, where it is less than a bound; where none does, how far it is from that.
     fn score_clear_by(
         &self,
-        [asked, reserve]: [f64; 2],
+        Keep { asked, reserve }: Keep,
         thick: Option<&ThickArm>,
         work: &WorkPlacement,
         (grid, bound): (&Grid, Score),

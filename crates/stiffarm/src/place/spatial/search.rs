@@ -17,11 +17,11 @@ use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// Places along the longer side of what is searched.
-const PLACES: usize = 60;
+pub(super) const PLACES: usize = 60;
 /// Places that are refined; the second where the bound lies farther below the value than [`LOOSE`].
 pub(super) const STARTS: [usize; 2] = [24, 160];
 /// Relative distance of value and bound beyond which more places are refined.
-const LOOSE: f64 = 0.02;
+pub(super) const LOOSE: f64 = 0.02;
 /// Places that are refined once more with the samples of the answer.
 pub(super) const FINALISTS: usize = 5;
 /// Zones that are evaluated before the best value so far is compared again.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Point3, Rotation3, Vector3};
 
-use super::search::ahead_and_behind;
+use super::search::{PLACES, ahead_and_behind};
 use super::{Question, Solution};
 use crate::angle::wrapped;
 use crate::batch::SpatialArm;
@@ -104,9 +104,23 @@ impl<'a> Ground<'a> {
         Question { within: Within::ANYWHERE, cell: Some(cell), yaw, ..*self.options }
     }
 
-    /// All of the zone lies in a window, nothing of it in what must be kept free, and the tool may be turned so.
+    /// The site where the search may go: straight ahead where the cell says so.
+    pub(super) fn reined(&self, site: Site) -> Site {
+        if !self.cell.is_ahead {
+            return site;
+        }
+        let cell_from_base = self.cell.mount.cell_from_base;
+        let mut at = cell_from_base.inverse_transform_point(&site.at.into());
+        at.y = 0.0;
+        Site { at: (cell_from_base * at).coords, ..site }
+    }
+
+    /// All of the zone lies in a window, nothing of it in what must be kept free, the tool may be turned so, and the bearing is one that is meant.
     pub(super) fn allows(&self, site: &Site) -> bool {
         let (bearing, work) = self.local(site);
+        if self.cell.is_ahead && TURN < bearing.abs() {
+            return false;
+        }
         let plane = WorkPlane::of(self.options.elevation, &work);
         let may_point_so = match self.cell.azimuth {
             Some(azimuth) => wrapped(site.yaw - azimuth).abs() <= TURN,
@@ -219,7 +233,12 @@ impl<'a> Ground<'a> {
     pub(super) fn sites(&self, most: f64) -> (Vec<Site>, f64) {
         let turns = self.turns();
         let per_turn = most / (turns.len() * self.windows.len()) as f64;
-        let along = (per_turn.cbrt() as usize).clamp(4, 24);
+        // Straight ahead there are two ways to go.
+        let along = if self.cell.is_ahead {
+            (per_turn.sqrt() as usize).clamp(4, PLACES)
+        } else {
+            (per_turn.cbrt() as usize).clamp(4, 24)
+        };
         let (mut sites, mut step) = (Vec::new(), 0.0_f64);
         for window in &self.windows {
             for &[yaw, angle, roll] in &turns {
@@ -228,7 +247,8 @@ impl<'a> Ground<'a> {
                     Window::Ring { ahead, z } => self.points_in_ring([*ahead, *z], [yaw, angle, roll], along),
                 };
                 step = step.max(apart);
-                sites.extend(places.into_iter().map(|(at, is_behind)| Site { at, is_behind, yaw, angle, roll }));
+                let site = |(at, is_behind)| self.reined(Site { at, is_behind, yaw, angle, roll });
+                sites.extend(places.into_iter().map(site));
             }
         }
         (sites, step.max(1e-3))
@@ -291,11 +311,11 @@ impl<'a> Ground<'a> {
         let heights = room(z, high).and_then(|z| self.cell.mount.heights_from_base(z).intersect(up));
         let ahead = room(ahead, far).and_then(|ahead| ahead.intersect(ahead_and_behind(self.arm)));
         let (Some(ahead), Some(heights)) = (ahead, heights) else { return (Vec::new(), 0.0) };
-        let bearings = over(Interval::spanning(-PI, PI), 25);
+        let bearings = if self.cell.is_ahead { vec![0.0] } else { over(Interval::spanning(-PI, PI), 25)[1..].to_vec() };
         let mut points = Vec::new();
         for x in over(ahead, along) {
             for height in over(heights, along) {
-                points.extend(bearings[1..].iter().map(|bearing| {
+                points.extend(bearings.iter().map(|bearing| {
                     let at = Point3::new(x * bearing.cos(), x * bearing.sin(), height);
                     ((self.cell.mount.cell_from_base * at).coords, x < 0.0)
                 }));
