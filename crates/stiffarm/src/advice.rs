@@ -171,7 +171,7 @@ fn shares(model: &Model, best: &Placement, load: Load) -> Result<[Option<f64>; 6
                     (most.force, most.counted)
                 }
             };
-            let [second, third] = by_drive.each_ref().map(|part| counted.dot(&(part * force)));
+            let [second, third] = by_drive[0].map(|part| counted.dot(&(part * force)));
             let whole = second + third;
             let share = |part: f64| Some(if 0.0 < whole { part / whole } else { 0.0 });
             [None, share(second), share(third), None, None, None]

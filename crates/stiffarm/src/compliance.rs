@@ -43,6 +43,11 @@ impl Posture {
         Largest { value, force: direction, counted: direction }
     }
 
+    /// What each drive gives of the compliance of the translation, m/N.
+    pub(crate) fn translations(&self) -> [Matrix3<f64>; 6] {
+        self.by_drive.each_ref().map(Compliance::translation)
+    }
+
     /// How much of what counts comes from each drive; adds up to 1, and a drive that works against the others has less than nothing.
     ///
     /// All zero where nothing gives way.
@@ -58,6 +63,12 @@ impl Posture {
     pub fn shares(&self, direction: &Vector3<f64>) -> [f64; 6] {
         self.shares_of(&Largest { value: 0.0, force: *direction, counted: *direction })
     }
+}
+
+/// What some forces do at most, any where `None`, m/N, where every drive gives so many times its part of the compliance of the translation.
+pub(crate) fn most_of(by_drive: &[Matrix3<f64>; 6], factors: &[f64; 6], forces: Option<&Forces>) -> f64 {
+    let drawn: Matrix3<f64> = by_drive.iter().zip(factors).map(|(part, factor)| part * *factor).sum();
+    forces.map_or_else(|| drawn.symmetric_eigenvalues().max(), |forces| forces.largest(&drawn).value)
 }
 
 /// A posture that cannot be judged.

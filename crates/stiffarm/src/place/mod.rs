@@ -208,8 +208,9 @@ pub enum Hold {
     Plane {
         /// Shoulder and elbow angle at the worst point, rad.
         posture: [f64; 2],
-        /// What the drives 2 and 3 give of the compliance there, m/N.
-        by_drive: [Matrix2<f64>; 2],
+        /// What the drives 2 and 3 give of the compliance there, m/N, and after it where else in the zone the worst point may lie, if a drive is
+        /// softer or stiffer than is told.
+        by_drive: Vec<[Matrix2<f64>; 2]>,
         /// The least that is kept from a limit or a straight arm anywhere in the zone, rad; `None` of [`find`].
         margin: Option<(f64, MarginOf)>,
     },
@@ -232,8 +233,9 @@ pub struct SpaceHold {
     pub joints: [f64; 6],
     /// What each drive gives of the deflection there, adding up to 1.
     pub shares: [f64; 6],
-    /// What each drive gives of the compliance of the translation there, m/N, base axes.
-    pub by_drive: [Matrix3<f64>; 6],
+    /// What each drive gives of the compliance of the translation there, m/N, base axes, and after it where else in the zone the worst point may
+    /// lie, if a drive is softer or stiffer than is told.
+    pub by_drive: Vec<[Matrix3<f64>; 6]>,
     /// The forces that may act there, base axes; any where `None`.
     pub(crate) forces: Option<Forces>,
     /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle

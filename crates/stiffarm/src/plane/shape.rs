@@ -55,6 +55,16 @@ impl Shape {
         }
     }
 
+    /// Of a rectangle.
+    pub(crate) fn corners(&self) -> Vec<Vector2<f64>> {
+        match *self {
+            Self::Disc(..) => Vec::new(),
+            Self::Rectangle(centre, half) => [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
+                .map(|(sx, sy)| centre + Vector2::new(sx * half.x, sy * half.y))
+                .into(),
+        }
+    }
+
     /// The origin lies inside, deeper than `slack`.
     pub(crate) fn covers_origin(&self, slack: f64) -> bool {
         match *self {
@@ -72,10 +82,10 @@ impl Shape {
                 let half = (radius / centre.norm()).min(1.0).asin();
                 Interval::spanning(heading - half, heading + half)
             }
-            Self::Rectangle(_, half) => [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
-                .map(|(sx, sy)| Vector2::new(centre.x + sx * half.x, centre.y + sy * half.y))
-                .map(|p| heading + centre.perp(&p).atan2(centre.dot(&p)))
+            Self::Rectangle(..) => self
+                .corners()
                 .into_iter()
+                .map(|p| heading + centre.perp(&p).atan2(centre.dot(&p)))
                 .fold(Interval::point(heading), |range, bearing| {
                     Interval::spanning(range.min().min(bearing), range.max().max(bearing))
                 }),

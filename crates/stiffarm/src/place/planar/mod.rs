@@ -63,7 +63,7 @@ pub(super) fn place(
     Ok(match allowed.best(zone)? {
         Some(solution) => {
             let margin = smallest_margin(model, zone, &solution);
-            let hold = solution.hold(model, margin);
+            let hold = solution.hold(model, zone, margin);
             Placed::Feasible(Placement { hold, ..solution.into_placement(model, zone) })
         }
         None => allowed.infeasible(zone, options)?,
@@ -212,9 +212,16 @@ impl<'a> Allowed<'a> {
 }
 
 impl Solution {
-    fn hold(&self, model: &PlanarModel, margin: Option<(f64, MarginOf)>) -> Hold {
-        let [shoulder, elbow] = self.worst_posture;
-        Hold::Plane { posture: self.worst_posture, by_drive: model.arm.by_drive(shoulder, elbow), margin }
+    /// Whatever the drives give, a force in any direction moves most at the nearest or the farthest point (the compliance has one valley over the
+    /// distance), and one that is known, as a rule, there or at a corner.
+    fn hold(&self, model: &PlanarModel, zone: Zone, margin: Option<(f64, MarginOf)>) -> Hold {
+        let shape = zone.shape(turned(self.centre.into(), -self.angle));
+        let points = [shape.nearest(), shape.farthest()].into_iter().chain(shape.corners());
+        let side = model.sides.iter().find(|side| side.elbow == self.elbow).expect("the side that holds the zone");
+        let postures = points.map(|point| side.posture_near(turned(point, self.angle)));
+        let by_drive = std::iter::once(self.worst_posture.into()).chain(postures);
+        let by_drive = by_drive.map(|(shoulder, elbow)| model.arm.by_drive(shoulder, elbow)).collect();
+        Hold::Plane { posture: self.worst_posture, by_drive, margin }
     }
 
     fn into_placement(self, model: &PlanarModel, zone: Zone) -> Placement {
@@ -233,7 +240,7 @@ impl Solution {
             from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
             outside: model.knows_base().then(|| Outside::of(centre, half)),
             clearance_in_space: None,
-            hold: self.hold(model, None),
+            hold: self.hold(model, zone, None),
             faces: Vec::new(),
         }
     }

@@ -1,21 +1,26 @@
 //! What is the answer at a placement: which configuration follows the zone, and how far is the tool pushed off?
 
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::descent::{FINE, Score};
 use super::search::{CELLS, Candidate, HALVING, Search};
 use super::{Outside, Resolution, Solution};
 use crate::angle::wrapped;
-use crate::compliance::compliance;
+use crate::compliance::{Posture, compliance, most_of};
 use crate::follow::{Followed, NotFollowed, PlacedZone};
 use crate::inverse::Configuration;
-use crate::spatial::Compliance;
+use crate::load::Forces;
+use crate::prior::normal;
 use crate::tolerances;
 use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// How often a place is sought anew within narrower limits.
 const NARROWINGS: usize = 5;
+/// Draws of the drives by which it is seen where in a zone the worst may lie.
+const TRIALS: usize = 64;
+/// Standard deviation of the logarithms of the compliances in them: as drives scatter of which little is known.
+const SCATTER: f64 = 0.7;
 
 impl Search<'_> {
     /// The answer at a refined place; where a limit is overstepped between samples, at the place next to it that was refined
@@ -134,7 +139,7 @@ impl Search<'_> {
             outside: Outside { below: reaches(2), behind: reaches(0) },
             worst_joints: followed.joints[at],
             worst_shares: evaluated[at].shares_of(&most),
-            worst_by_drive: evaluated[at].by_drive.each_ref().map(Compliance::translation),
+            by_drive: deciding(&evaluated, at, forces.as_ref()),
             worst_forces: forces,
             // The arm's limits are narrower by the margin that was asked for.
             limit_margin: (followed.limit_margin.0 + self.options.margins.limit, followed.limit_margin.1),
@@ -152,4 +157,18 @@ impl Search<'_> {
             },
         })
     }
+}
+
+/// What each drive gives at the worst pose of a zone, and at every other that is the worst in some draw of the drives.
+fn deciding(evaluated: &[Posture], worst: usize, forces: Option<&Forces>) -> Vec<[Matrix3<f64>; 6]> {
+    let parts: Vec<[Matrix3<f64>; 6]> = evaluated.iter().map(Posture::translations).collect();
+    let mut rng = fastrand::Rng::with_seed(0);
+    let mut chosen = vec![worst];
+    for _ in 0..TRIALS {
+        let factors = std::array::from_fn(|_| (SCATTER * normal(&mut rng)).exp());
+        let values = parts.iter().map(|parts| most_of(parts, &factors, forces)).enumerate();
+        let worst = values.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at);
+        chosen.extend(worst.filter(|at| !chosen.contains(at)));
+    }
+    chosen.into_iter().map(|at| parts[at]).collect()
 }

@@ -293,7 +293,7 @@ impl<'a> CellSearch<'a> {
             bearing: wrapped(bearing),
             worst_point: (turned * Point3::from(solution.worst_point)).into(),
             worst_joints,
-            worst_by_drive: solution.worst_by_drive.map(|part| axes * part * axes.transpose()),
+            by_drive: solution.by_drive.iter().map(|parts| parts.map(|part| axes * part * axes.transpose())).collect(),
             worst_forces: solution.worst_forces.map(|forces| forces.turned(axes)),
             resolution: Resolution { coarse_step: step, ..solution.resolution },
             ..solution
