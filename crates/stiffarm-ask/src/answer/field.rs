@@ -210,7 +210,7 @@ fields! {
     BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
     PASS: "pass", Kind::Truth, "The tolerance is kept, the drives taken as they are told.";
-    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
+    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
     PROBABILITY: "probability", Kind::Number(Unit::One), "How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be off; null where nothing is known of that.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
     ADVICE: "advice", Kind::Nested, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";

@@ -27,13 +27,16 @@ pub struct Verdict {
     pub margin_mm: f64,
     /// How likely the robot is to hold it, as far as drives and model may be off; `None` where nothing is known of that.
     pub probability: Option<f64>,
+    /// Something that it is not about is known to err by more than the tolerance: the geometry of an arm that nobody calibrated.
+    pub is_of_drives_alone: bool,
 }
 
 impl Verdict {
     /// Of a deflection, m, against a tolerance, mm, the drives taken as they are told.
     pub fn of(deflection: f64, tolerance_mm: f64) -> Self {
         let told = Unit::Millimetre.told(deflection);
-        Self { passes: told <= tolerance_mm, margin_mm: tolerance_mm - told, probability: None }
+        let (passes, margin_mm) = (told <= tolerance_mm, tolerance_mm - told);
+        Self { passes, margin_mm, probability: None, is_of_drives_alone: false }
     }
 
     /// The same with how likely it is to be held.
@@ -42,9 +45,9 @@ impl Verdict {
         Self { probability, ..self }
     }
 
-    /// It is held nominally, and with 95 % or more.
+    /// It is held nominally, and with 95 % or more, and nothing else is known to exceed the tolerance.
     pub fn is_sure(self) -> bool {
-        self.passes && self.probability.is_some_and(|probability| SURE <= probability)
+        self.passes && !self.is_of_drives_alone && self.probability.is_some_and(|probability| SURE <= probability)
     }
 
     /// It is held nominally, and more likely missed than held.

@@ -1610,7 +1610,8 @@ class _Placed(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
@@ -3147,7 +3148,8 @@ class MilledDict(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
@@ -3302,7 +3304,8 @@ class PathRankingRow(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
@@ -3841,7 +3844,8 @@ class ChatterDict(TypedDict):
 
     verdict: str
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     assumed: list[str]
     """What the file leaves open and how it was taken, with the line that came first."""

@@ -42,7 +42,7 @@ impl MillAnswer {
         let (name, path, value) = (self.robot.full_name(), &self.path, mm(found.worst.0));
         let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
             let mut told = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
-            told.extend(self.left(None));
+            told.extend(self.left());
             return (Outcome::Told, told);
         };
         let (word, margin, less) = if verdict.passes {
@@ -72,16 +72,14 @@ impl MillAnswer {
             });
         }
         told.push(scattered(verdict, self.spread(), &self.robot));
-        told.extend(self.left(Some(tolerance)));
+        told.extend(self.left());
         let milled = self.milled_verdict().unwrap_or(verdict);
-        let geometry = self.geometry_exceeds(tolerance).filter(|_| milled.passes);
-        let outcome = if geometry.is_some() { Outcome::PassesPerhaps } else { judged(milled) };
-        told.extend(geometry);
-        (outcome, told)
+        told.extend(self.geometry_exceeds(tolerance).filter(|_| milled.passes));
+        (judged(milled), told)
     }
 
     /// What compensation leaves, where it was asked for.
-    fn left(&self, tolerance: Option<f64>) -> Option<String> {
+    fn left(&self) -> Option<String> {
         let compensation = self.compensation.as_ref()?;
         let by_model = mm(compensation.done.by_joints);
         let Some((remaining, what)) = &compensation.remaining else {
@@ -89,7 +87,7 @@ impl MillAnswer {
                 "Compensated, {by_model} is left by the model; the expected residual is not known, as nothing says how far the drives may be off."
             ));
         };
-        let verdict = tolerance.and_then(|tolerance| Some((tolerance, compensation.verdict(tolerance)?)));
+        let verdict = self.tolerance_mm.zip(self.compensated_verdict());
         let verdict = verdict
             .map_or_else(String::new, |(tolerance, verdict)| format!("; tolerance {tolerance} mm: {}", verdict.told()));
         Some(format!(

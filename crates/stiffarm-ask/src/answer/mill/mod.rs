@@ -94,16 +94,6 @@ pub struct Compensation {
     pub remaining: Option<(Remaining, String)>,
 }
 
-impl Compensation {
-    /// Whether a tolerance, mm, is kept by what is left, the median of the draws as the nominal value; `None` where nothing says how far the
-    /// drives may be off.
-    pub fn verdict(&self, tolerance_mm: f64) -> Option<Verdict> {
-        let (left, _) = self.remaining.as_ref()?;
-        let holds = Known::of(left.all.clone(), Some(tolerance_mm)).holds;
-        Some(Verdict::of(left.median, tolerance_mm).with(holds))
-    }
-}
-
 /// A path that has no answer.
 #[derive(Debug, thiserror::Error)]
 pub enum MillAnswerError {
@@ -183,15 +173,28 @@ impl MillAnswer {
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, found) = self.tolerance_mm.zip(self.followed())?;
         let known = self.draws.clone().map(|draws| Known::of(draws, Some(tolerance)));
-        Some(Verdict::of(found.worst.0, tolerance).with(known.and_then(|known| known.holds)))
+        Some(self.beside_geometry(Verdict::of(found.worst.0, tolerance).with(known.and_then(|known| known.holds))))
+    }
+
+    /// The same of what compensation leaves, the median of the draws as the nominal value; `None`, too, where nothing says how far the drives may
+    /// be off.
+    pub(super) fn compensated_verdict(&self) -> Option<Verdict> {
+        let (tolerance, (left, _)) = self.tolerance_mm.zip(self.compensation.as_ref()?.remaining.as_ref())?;
+        let holds = Known::of(left.all.clone(), Some(tolerance)).holds;
+        Some(self.beside_geometry(Verdict::of(left.median, tolerance).with(holds)))
+    }
+
+    fn beside_geometry(&self, verdict: Verdict) -> Verdict {
+        let is_of_drives_alone = self.tolerance_mm.is_some_and(|tolerance| self.geometry_exceeds(tolerance).is_some());
+        Verdict { is_of_drives_alone, ..verdict }
     }
 
     /// The same of what is milled: who compensates sends a program that leaves the median of the draws, or what the model says where nothing
     /// is known of the drives.
     pub(super) fn milled_verdict(&self) -> Option<Verdict> {
-        let Some(compensation) = &self.compensation else { return self.verdict() };
-        let tolerance = self.tolerance_mm?;
-        Some(compensation.verdict(tolerance).unwrap_or_else(|| Verdict::of(compensation.done.by_joints, tolerance)))
+        let Some(Compensation { done, .. }) = &self.compensation else { return self.verdict() };
+        let by_model = Verdict::of(done.by_joints, self.tolerance_mm?);
+        Some(self.compensated_verdict().unwrap_or_else(|| self.beside_geometry(by_model)))
     }
 
     /// The largest force along the path, N.

@@ -56,7 +56,7 @@ impl MillAnswer {
             .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
         Self::put_clearance(Some(self), &mut record);
         verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
-        let compensated = |compensation| compensated(compensation, self.tolerance_mm);
+        let compensated = |compensation| compensated(compensation, self.compensated_verdict());
         record
             .put(field::FED_BACK, self.fed_back.as_ref().map(fed_back))
             .put(field::PATH_CHATTER, self.chatter_record())
@@ -258,10 +258,8 @@ fn fed_back(found: &FedBack) -> Record {
 }
 
 /// What is commanded, and what is left.
-fn compensated(compensation: &Compensation, tolerance_mm: Option<f64>) -> Record {
-    let Compensation { done, remaining } = compensation;
+fn compensated(Compensation { done, remaining }: &Compensation, verdict: Option<Verdict>) -> Record {
     let told = remaining.as_ref().map(|(remaining, _)| remaining);
-    let verdict = tolerance_mm.and_then(|tolerance| compensation.verdict(tolerance));
     let mut record = Record::new();
     record
         .put(field::LARGEST_CORRECTION, done.largest)

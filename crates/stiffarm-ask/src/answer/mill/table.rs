@@ -176,11 +176,8 @@ impl MillAnswer {
         lines.extend(self.clearance_lines());
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
-            let alone = if verdict.passes && self.geometry_exceeds(tolerance).is_some() {
-                "; of the deflection alone: the geometry errs by more (besides)"
-            } else {
-                ""
-            };
+            let is_alone = verdict.passes && verdict.is_of_drives_alone;
+            let alone = if is_alone { "; of the deflection alone: the geometry errs by more (besides)" } else { "" };
             lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.told())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
@@ -215,10 +212,9 @@ impl MillAnswer {
             Some((Remaining { median, p95, all, .. }, what)) => {
                 let told = format!("{}; {} ({} draws of {what})", mm(*median), mm(*p95), all.len());
                 lines.push(line(EXPECTED_RESIDUAL, told));
-                let verdict =
-                    self.tolerance_mm.and_then(|tolerance| Some((tolerance, compensation.verdict(tolerance)?)));
+                let verdict = self.tolerance_mm.zip(self.compensated_verdict());
                 lines.extend(verdict.map(|(tolerance, verdict)| {
-                    let is_alone = verdict.passes && self.geometry_exceeds(tolerance).is_some();
+                    let is_alone = verdict.passes && verdict.is_of_drives_alone;
                     let alone = if is_alone { "; of the deflection alone" } else { "" };
                     line("tolerance, compensated", format!("{tolerance} mm: {}{alone}", verdict.told()))
                 }));
