@@ -51,6 +51,25 @@ fn arm_in_cell(placement: &Placement, cell: &Cell) -> Vec<Point3<f64>> {
     points.into_iter().map(|point| cell.mount.cell_from_base * Point3::from(point)).collect()
 }
 
+/// A box about the pedestal keeps what moves out, and no longer every place.
+#[test]
+fn a_box_about_the_pedestal_takes_no_place_that_the_arm_keeps_out_of() {
+    let tool = ("tool", "spindle:250@90");
+    let free = best(CIRCLE, &asked(&[tool, ("mount", "pedestal:0.5"), ("clearance-mm", "0")]));
+    let plinth = asked(&[tool, ("mount", "pedestal:0.5"), ("keep-out", "-0.5..0.5,-0.5..0.5,0..0.5")]);
+    let found = best(CIRCLE, &plinth);
+    assert!(
+        found.space().unwrap().bearing.abs() < 1e-9
+            && !found.collides_in_space()
+            && (found.deflection / free.deflection - 1.0).abs() < 2e-2,
+        "{found:?} {free:?}"
+    );
+    // Up to the joint-2 axis there is no posture that keeps out.
+    let tower = asked(&[tool, ("mount", "pedestal:0.5"), ("keep-out", "-0.5..0.5,-0.5..0.5,0..1.4")]);
+    let placed = place(&model(), &CIRCLE.into(), &tower, Watch::nobody()).unwrap();
+    assert!(matches!(placed, Placed::Infeasible { reason: Misfit::Clearance { .. }, .. }), "{placed:?}");
+}
+
 #[test]
 fn the_best_place_in_a_window_is_no_worse_than_many_others_in_it_and_bounded() {
     let options = in_window(block("1.3..2.1,0.2..1.2,0.7..0.9", "m", false).unwrap());

@@ -1,13 +1,17 @@
 //! How is a cell told?
 
+use std::collections::BTreeSet;
+
 use serde_json::{Value, json};
 
 use super::words::{fixed, window};
 use super::{Line, line};
 use nalgebra::Vector3;
 use stiffarm::cell::{Block, Cell, Mount, MountKind, Window};
+use stiffarm::clearance;
 use stiffarm::interval::Interval;
 use stiffarm::place::{PlaceOptions, Within};
+use stiffarm::robot::Robot;
 
 /// The tool axis above the horizontal of the cell, rad, as it was asked.
 pub(super) fn elevation(options: &PlaceOptions) -> f64 {
@@ -32,6 +36,24 @@ pub(super) fn lines(cell: &Cell, within: &Within) -> Vec<Line> {
     lines.extend(kept.map(|(i, block)| line(format!("keep-out {}", i + 1), told_block(&block))));
     lines.extend(cell.clearance.map(|asked| line("clearance asked", format!("{} mm", fixed(asked * 1e3, 0)))));
     lines
+}
+
+/// What stands about robots, as far as it is known, a line.
+pub(super) fn known_about<'a>(robots: impl Iterator<Item = &'a Robot>, cell: Option<&Cell>) -> String {
+    if cell.is_none_or(|cell| cell.keep_out().next().is_none()) {
+        return "nothing is known of tables and fixtures\n".into();
+    }
+    format!("of tables and fixtures only the keep-outs are known\n{}", carrying(robots, cell))
+}
+
+/// What carries robots, as far as it is a keep-out, each a line.
+pub(super) fn carrying<'a>(robots: impl Iterator<Item = &'a Robot>, cell: Option<&Cell>) -> String {
+    let Some(cell) = cell else { return String::new() };
+    let found: BTreeSet<usize> = robots.flat_map(|robot| clearance::carrying(robot, cell)).collect();
+    let told = found.into_iter().map(|number| {
+        format!("a base stands in or on keep-out {number}, which is taken as what carries it: what joints move keeps out of it\n")
+    });
+    told.collect()
 }
 
 /// Of which places the lower bound holds, where the cell takes some away.

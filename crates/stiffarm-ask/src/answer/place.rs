@@ -238,11 +238,9 @@ impl PlaceAnswer {
                 words::links_are(&self.robot)
             ),
         };
-        let has_boxes = self.options.cell.is_some_and(|cell| cell.keep_out().next().is_some());
         let around = match self.model {
-            ModelKind::Planar => "",
-            ModelKind::Spatial(_) if has_boxes => "of tables and fixtures only the keep-outs are known\n",
-            ModelKind::Spatial(_) => "nothing is known of tables and fixtures\n",
+            ModelKind::Planar => String::new(),
+            ModelKind::Spatial(_) => told_cell::known_about([&self.robot].into_iter(), self.options.cell.as_ref()),
         };
         // The plane has no joint angles to tell.
         let pendant = match self.model {

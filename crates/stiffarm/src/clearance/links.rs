@@ -7,6 +7,9 @@ use crate::body::{Body, Capsule, Enclosing};
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
 
+/// What is nearer to the joint-1 axis, m, is not moved by it.
+const ON_AXIS: f64 = 1e-9;
+
 /// The tool as a link: its point in the flange frame, m, and the radius of what stands between.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Tool {
@@ -22,6 +25,14 @@ pub(super) struct Piece {
     /// The base is 0, what joint 1 turns 1, and so on; the tool is 7.
     pub(super) number: usize,
     pub(super) capsule: Capsule,
+}
+
+impl Piece {
+    /// No joint moves it: the base, and what of the column stands about the joint-1 axis.
+    pub(super) fn stands_still(&self) -> bool {
+        let is_on_axis = |end: &Vector3<f64>| end.xy().norm() < ON_AXIS;
+        self.number == 0 || self.number == 1 && self.capsule.ends.iter().all(is_on_axis)
+    }
 }
 
 impl Link {

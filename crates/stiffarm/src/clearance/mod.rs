@@ -16,6 +16,7 @@ use nalgebra::Vector3;
 
 use crate::cell::{Cell, MountKind};
 use crate::cutting::Shank;
+use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::stock::Remains;
 pub use mesh::Mesh;
@@ -188,6 +189,13 @@ impl Surroundings {
             keep_out: cell.keep_out().map(solid).collect(),
         }
     }
+}
+
+/// The keep-outs of a cell in or on which the base of a robot stands, by their numbers from 1. No joint moves it: they are taken as what carries the
+/// robot, and keep clear of the rest of the arm alone.
+pub fn carrying(robot: &Robot, cell: &Cell) -> Vec<usize> {
+    let thick = ThickArm::new(robot, &Pose::identity(), None);
+    thick.map_or_else(Vec::new, |thick| thick.stands_in(&Surroundings::of(Some(cell), None)))
 }
 
 impl Clearance {

@@ -8,6 +8,7 @@ use parry3d_f64::shape::{Cuboid, Cylinder, Segment, Shape};
 use crate::body::Capsule;
 use crate::spatial::Pose;
 use crate::task::Zone;
+use crate::tolerances;
 
 /// The work is a sheet of this thickness, m, behind its surface.
 const SHEET: f64 = 1e-3;
@@ -158,6 +159,13 @@ impl Solid {
             Self::Box { pose, half } => (pose, Vector3::from(*half)),
             Self::Disc { pose, radius, half_thickness } => (pose, Vector3::new(*radius, *radius, *half_thickness)),
         }
+    }
+
+    /// Nothing of it stands higher than the base, in whose axes it is.
+    pub(super) fn is_below_base(&self) -> bool {
+        let (pose, half) = self.bounds();
+        let up = (pose.rotation.inverse() * Vector3::z()).abs();
+        pose.translation.vector.z + up.dot(&half) < tolerances::WINDOW
     }
 
     /// The sheet behind a flat zone, from its middle point, the directions of its sides and the one in which the tool points.

@@ -6,7 +6,9 @@ use super::links::{Piece, links};
 use super::*;
 use crate::body::{Body, Capsule, Enclosing};
 use crate::catalogue::find;
+use crate::cell::{Block, Mount};
 use crate::geometry::Geometry;
+use crate::interval::Interval;
 use crate::robot::{Arm, Robot};
 use crate::task::Zone;
 
@@ -50,6 +52,23 @@ fn the_nearest_of_all_links_is_that_of_a_hand_calculation() {
     let table = Solid::Box { pose: Pose::translation(1.3, 0.0, 1.1), half: [0.2, 0.2, 0.05] };
     let on_a_table = Surroundings { keep_out: vec![table], ..work };
     assert_eq!(nearest(&robot, Some(0.25), DOWN, &on_a_table), (0.1, Link::Tool, Obstacle::KeepOut(1)));
+}
+
+/// The column is 0.3 m thick about the joint-1 axis: a plinth and a slab carry it, a post 0.31 m beside that axis does not. Whatever joints move
+/// keeps out of all: the joint-2 axis stands 0.7 m high, 0.2 m thick, over a plinth of 0.4 m.
+#[test]
+fn a_box_in_which_the_base_stands_carries_it() {
+    let block = |x: [f64; 2], y: [f64; 2], z: [f64; 2]| {
+        let [x, y, z] = [x, y, z].map(|[from, to]| Interval::spanning(from, to));
+        Some(Block { x, y, z })
+    };
+    let mut cell = Cell::of(Mount::pedestal(0.0));
+    cell.keep_out[0] = block([0.31, 0.5], [-0.1, 0.1], [0.0, 0.3]);
+    cell.keep_out[1] = block([-0.4, 0.4], [-0.4, 0.4], [0.0, 0.4]);
+    cell.keep_out[2] = block([-2.0, 2.0], [-2.0, 2.0], [-0.3, 0.0]);
+    assert_eq!(carrying(&robot(), &cell), [2, 3]);
+    let found = nearest(&robot(), None, LEVEL, &Surroundings::of(Some(&cell), None));
+    assert_eq!(found, (0.1, Link::UpperArm, Obstacle::KeepOut(2)));
 }
 
 #[test]

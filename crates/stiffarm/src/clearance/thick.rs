@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::links::{LINKS, Piece, Tool, enclosed, links, piece_of_tool};
 use super::nearest::{Looked, Nearest};
-use super::solid::Ball;
+use super::solid::{Ball, Solid};
 use super::stock::Ends;
 use super::{Clearance, Link, LinksBy, Near, Obstacle, Surroundings};
 use crate::body::{Body, Capsule, Enclosing, may_meet};
@@ -133,6 +133,14 @@ impl<'a> ThickArm<'a> {
             (None, None) => LinksBy::Stated,
         };
         Clearance { distance, link, to, is_estimated, links, outside, wide, knows_tool, poses }
+    }
+
+    /// The boxes in or on which stands what no joint moves, by their numbers from 1.
+    pub(super) fn stands_in(&self, about: &Surroundings) -> Vec<usize> {
+        let still: Vec<Piece> =
+            self.pieces(&[0.0; 6], about.pedestal).into_iter().filter(Piece::stands_still).collect();
+        let holds = |solid: &Solid| still.iter().any(|piece| piece.capsule.apart_from_solid(solid) <= 0.0);
+        (1..).zip(&about.keep_out).filter(|(_, solid)| holds(solid)).map(|(number, _)| number).collect()
     }
 
     /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
@@ -264,8 +272,10 @@ impl<'a> ThickArm<'a> {
         if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
             nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
         }
-        for (i, solid) in about.keep_out.iter().enumerate() {
-            nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
+        // What no joint moves stands where it is put, and the column above what carries it.
+        let carries = |solid: &Solid| pieces[i].stands_still() || link == Link::Column && solid.is_below_base();
+        for (number, solid) in (1..).zip(&about.keep_out).filter(|(_, solid)| !carries(solid)) {
+            nearest.solid((link, &capsule), Obstacle::KeepOut(number), solid);
         }
     }
 }

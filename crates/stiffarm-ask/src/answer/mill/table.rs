@@ -244,7 +244,11 @@ impl MillAnswer {
         };
         let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n{}", self.arm_note()));
         let swings = self.chatter_basis();
-        format!("{holds}all six drives compliant, everything else rigid; {force}\n{}\n{swings}", self.looked_at())
+        let carrying = told_cell::carrying([&self.robot].into_iter(), self.ground.cell.as_ref());
+        format!(
+            "{holds}all six drives compliant, everything else rigid; {force}\n{}\n{carrying}{swings}",
+            self.looked_at()
+        )
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::super::margins;
 use super::super::verdict::HOLDS;
 use super::super::words::{self, COLUMN};
+use super::super::{cell, margins};
 use super::RankAnswer;
 use stiffarm::mass::GRAVITY;
 use stiffarm::place::{Column, PlaceError, Placement};
@@ -70,7 +70,8 @@ impl RankAnswer {
         if in_plane.is_some() {
             notes += &self.proof();
             notes += &self.colliding();
-            notes += "clearance (JSON, CSV): links as capsules, those that enclose them where the robot file has such, at the poses of each answer; nothing is known of tables and fixtures\n";
+            notes += "clearance (JSON, CSV): links as capsules, those that enclose them where the robot file has such, at the poses of each answer; ";
+            notes += &cell::known_about(rows.iter().map(|row| &row.robot), self.options.cell.as_ref());
         }
         notes
     }

@@ -23,6 +23,7 @@ use crate::inverse::{Configuration, posture_of};
 use crate::place::Orientation;
 use crate::robot::Robot;
 use crate::task::Zone;
+use crate::tolerances;
 use crate::watch::{Parts, Stopped};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
@@ -37,6 +38,8 @@ const LARGEST: Effort = Effort { places: 320_000.0, starts: 120, finalists: 40 }
 const BLOCK: usize = 256;
 /// How often a place is sought anew with more clearance than was asked for.
 const TOUCHES: usize = 3;
+/// Steps, rad, in which a place is turned back towards straight ahead.
+const ASIDE: f64 = PI / 24.0;
 /// So far, m, a place may move until every limit is kept between its samples.
 const NEAR: f64 = 0.05;
 
@@ -153,19 +156,47 @@ impl<'a> CellSearch<'a> {
             Err(Untaken::TooNear(_)) => unreachable!("nothing is too near where no clearance is asked for"),
         };
         // Where the best of all places keeps it, no other is better.
-        let Some(asked) = self.ground.cell.clearance else { return Ok(Ok(best)) };
-        if best.clearance.is_some_and(|kept| asked <= kept.distance) {
-            return Ok(Ok(best));
+        if self.keeps_clear(&best) {
+            return Ok(Ok(self.foremost(best)?));
         }
+        let Some(asked) = self.ground.cell.clearance else { return Ok(Ok(best)) };
         let mut keep = Keep { asked, reserve: 0.0 };
         for _ in 0..=TOUCHES {
             match self.find((&free, step), effort, Some(keep))? {
-                Ok(found) => return Ok(Ok(found)),
+                Ok(found) => return Ok(Ok(self.foremost(found)?)),
                 Err(Untaken::TooNear(short)) => keep.reserve += short + FINE.0,
                 Err(Untaken::Misfit(_)) => break,
             }
         }
         Ok(Err(Misfit::Clearance { asked, otherwise: best.clearance }))
+    }
+
+    /// Nothing is nearer than was asked.
+    fn keeps_clear(&self, found: &Solution) -> bool {
+        let keeps = |asked| found.clearance.is_some_and(|kept| asked <= kept.distance);
+        self.ground.cell.clearance.is_none_or(keeps)
+    }
+
+    /// The same place turned about the joint-1 axis as far towards straight ahead as it may stand there: it is as good anywhere about the robot.
+    fn foremost(&self, found: Solution) -> Result<Solution, Stopped> {
+        if !self.ground.is_alike_all_about() {
+            return Ok(found);
+        }
+        let aside = (0..).map(|i| ASIDE * f64::from(i)).take_while(|aside| *aside < found.bearing.abs());
+        for bearing in aside.flat_map(|aside| [aside, -aside]) {
+            let site = self.ground.site(bearing, &found);
+            if !self.ground.allows(&site) {
+                continue;
+            }
+            let turned = self.evaluated(&Scored { site, score: Score::NONE }, Score::NONE, 0.0)?;
+            let is_as_good = |turned: &Solution| {
+                self.keeps_clear(turned) && turned.deflection <= found.deflection * (1.0 + tolerances::BOUND)
+            };
+            if let Some(turned) = turned.filter(is_as_good) {
+                return Ok(Solution { resolution: found.resolution, ..turned });
+            }
+        }
+        Ok(found)
     }
 
     /// The sites that are reached, whatever the arm touches there, the best first.

@@ -96,6 +96,11 @@ impl<'a> Ground<'a> {
         }
     }
 
+    /// Nothing of what is asked of a place counts from the axes of the cell but windows and what stands there.
+    pub(super) fn is_alike_all_about(&self) -> bool {
+        !self.angle_is_of_base && self.cell.azimuth.is_none()
+    }
+
     /// The question as it is asked straight ahead of a robot that is turned to a bearing. Where the mount decides where the tool points, no yaw
     /// is left to choose.
     pub(super) fn seen_from(&self, bearing: f64) -> Question<'a> {
