@@ -251,10 +251,13 @@ impl From<FigureError> for AskError {
 impl AskError {
     /// The question itself is wrong, whatever there is.
     pub fn is_usage(&self) -> bool {
-        matches!(
-            self,
-            Self::Usage(_) | Self::Request(_) | Self::Pattern { .. } | Self::OntoInput(_) | Self::AmongRobots(_)
-        )
+        match self {
+            Self::Usage(_) | Self::Request(_) | Self::Pattern { .. } | Self::OntoInput(_) | Self::AmongRobots(_) => {
+                true
+            }
+            Self::Place { error, .. } | Self::Rank(RankError { error, .. }) => error.is_of_the_question(),
+            _ => false,
+        }
     }
 
     /// What the user can do.
@@ -270,6 +273,9 @@ impl AskError {
                 if *error != NoArmPlane::Limits =>
             {
                 "--model spatial asks the model with all six drives"
+            }
+            Self::Place { error: PlaceError::PartInCell, .. } | Self::Rank(RankError { error: PlaceError::PartInCell, .. }) => {
+                "one face at a time stands in such a cell: --task rect:.. with its --tool-direction"
             }
             Self::Place { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells lengths and limits; --within, --angle and --gap bound the search");

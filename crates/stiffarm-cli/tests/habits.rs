@@ -37,6 +37,19 @@ fn check_refuses_an_arm_that_collides_or_carries_too_much() {
     check(&[&["rank", "--robots", "KR 210 R2700 extra,KR 300 R2700-2"], &weighs("150")[..]].concat(), 0, "");
 }
 
+/// What is not known of any robot is a question that makes no sense, whatever robot is asked.
+#[test]
+fn a_part_in_a_cell_is_wrong_usage_and_says_what_to_do() {
+    let part = ["--model", "spatial", "--task", "box:0.3x0.2x0.1", "--faces", "top,front", "--tool", "spindle:250@90"];
+    for robots in [&["place", "BT200L"][..], &["rank", "--robots", "BT200L"]] {
+        let Ran { code, err, .. } = ran(&[], &[robots, &part, &["--keep-out", "2..3,-3..3,0..1"]].concat());
+        assert!(
+            code == 2 && err.contains("known of one flat zone") && err.contains("one face at a time"),
+            "{code} {err}"
+        );
+    }
+}
+
 /// Headline and exit code judge the same error: of a path that is compensated what is left, also where only the model says that.
 #[test]
 fn a_compensated_path_is_judged_by_what_is_left() {

@@ -68,10 +68,9 @@ pub(super) fn proof(cell: &Cell) -> Option<Line> {
 
 fn mount(mount: &Mount) -> String {
     let height = fixed(mount.cell_from_base.translation.z, 3);
-    let turn = (mount.cell_from_base.rotation * Vector3::y()).xy();
-    let turn = (-turn.x).atan2(turn.y).to_degrees() * if mount.kind == MountKind::Ceiling { -1.0 } else { 1.0 };
-    let turn = if mount.kind == MountKind::Ceiling { 180.0 + turn } else { turn };
-    let turn = (turn + 540.0).rem_euclid(360.0) - 180.0;
+    // Upright and hanging robots look along their x axis, those on a wall stand across their y axis.
+    let [x, y] = [Vector3::x(), Vector3::y()].map(|axis| mount.cell_from_base.rotation * axis);
+    let turn = if mount.kind == MountKind::Wall { (-y.x).atan2(y.y) } else { x.y.atan2(x.x) }.to_degrees();
     let turned = if turn.abs() < 1e-9 { String::new() } else { format!(", turned {} deg", fixed(turn, 1)) };
     match mount.kind {
         MountKind::Pedestal => format!("base {height} m above the cell's floor{turned}"),
@@ -124,4 +123,20 @@ pub(super) fn record(cell: &Cell) -> Value {
         "keep_out_m": kept,
         "clearance_mm": cell.clearance.map(|asked| asked * 1e3),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mount_is_told_as_turned_as_it_is() {
+        for kind in [Mount::pedestal(0.5), Mount::ceiling(3.0), Mount::wall(2.0)] {
+            assert!(!mount(&kind).contains("turned"), "{}", mount(&kind));
+            for turn in [40.0_f64, -130.0] {
+                let told = mount(&kind.turned(turn.to_radians()));
+                assert!(told.ends_with(&format!(", turned {turn:.1} deg")), "{told}");
+            }
+        }
+    }
 }

@@ -61,6 +61,7 @@ impl PathRankOutput<'_> {
                     .map(|spread| [spread.p05, spread.median, spread.p95].map(|metres| Unit::Millimetre.told(metres))),
             ],
             verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::told)],
+            collides: vec![row.milled.as_ref().ok().and_then(MillAnswer::deepest).is_some()],
             values: vec![
                 row.proved().map(|[bound, value]| [value, bound].map(|metres| Unit::Millimetre.told(metres)).into()),
             ],

@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use stiffarm::advice::advise_best;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
-use stiffarm::place::PlaceOptions;
+use stiffarm::place::{PlaceOptions, Placement};
 use stiffarm::rank::{Ranking, curves, rank};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
@@ -146,6 +146,9 @@ impl RankOutput<'_> {
                 .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.median, spread.p95].map(mm)))
                 .collect(),
             verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::told)).collect(),
+            collides: (0..tasks.len())
+                .map(|task| row.placement(task).is_some_and(Placement::collides_in_space))
+                .collect(),
         });
         BarsFigure {
             title: format!("Worst deflection inside each flat zone at its best place, {}{first}", words::loaded(*load)),

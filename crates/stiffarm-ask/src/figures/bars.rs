@@ -35,6 +35,8 @@ pub(crate) struct BarRow {
     pub intervals: Vec<Option<[f64; 3]>>,
     /// By task: verdict and probability, where there is a tolerance.
     pub verdicts: Vec<Option<String>>,
+    /// By task: the arm overlaps with something there.
+    pub collides: Vec<bool>,
 }
 
 /// A ranking as it was asked for.
@@ -139,9 +141,16 @@ impl BarsFigure {
             if let Some(verdict) = row.verdicts.get(task).and_then(Option::as_ref) {
                 let _ = write!(told, "; {verdict}");
             }
+            let collides = row.collides[task];
+            if collides {
+                told += "; COLLISION";
+            }
             canvas.told(&told, |canvas| {
                 canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &style(row.colour(), row.estimated));
             });
+            if collides {
+                cross(canvas, [left + 10.0, y]);
+            }
             let bound = bound.clamp(0.0, found);
             if axis.contains(bound) {
                 let proved = axis.at(bound);
@@ -204,6 +213,9 @@ impl BarsFigure {
                 whisker(canvas, [x - 15.0, x - 4.0, x + 15.0], y, [true; 3]);
             }));
         }
+        if self.rows.iter().any(|row| row.collides.contains(&true)) {
+            entries.push(Entry::new("COLLISION at that place", cross));
+        }
         if let Some(tolerance) = self.tolerance_mm {
             entries.push(Entry::line(
                 format!("tolerance {tolerance} mm"),
@@ -242,6 +254,15 @@ fn whisker(canvas: &mut Canvas, [low, median, high]: [f64; 3], y: f64, are_shown
     [if are_shown[0] { low } else { low - 7.0 }, if are_shown[2] { high } else { high + 7.0 }]
 }
 
+/// What is not to be taken.
+fn cross(canvas: &mut Canvas, [x, y]: [f64; 2]) {
+    for (colour, width) in [(PAPER, 5.0), (LIMIT, 2.4)] {
+        let look = format!(r#"stroke="{colour}" stroke-width="{width}""#);
+        canvas.line([x - 5.0, y - 5.0], [x + 5.0, y + 5.0], &look);
+        canvas.line([x - 5.0, y + 5.0], [x + 5.0, y - 5.0], &look);
+    }
+}
+
 fn bound_look() -> String {
     format!(r#"fill="none" stroke="{LIMIT}" stroke-width="2""#)
 }
@@ -275,6 +296,7 @@ mod tests {
                 .map(|value| value.map(|(found, _)| [0.5 * found, 1.1 * found, 1.5 * found]))
                 .collect(),
             verdicts: vec![Some("pass (P = 97 %)".into()), None],
+            collides: vec![robot == "four", false],
             values,
         };
         let figure = |rows: Vec<BarRow>, tolerance_mm| BarsFigure {
@@ -300,6 +322,8 @@ mod tests {
         assert!((widths[1] / widths[0] - 2.0).abs() < 1e-2 && (widths[2] / widths[0] - 4.0).abs() < 2e-2, "{widths:?}");
         assert_eq!(svg.matches("does not fit").count(), 2);
         assert!(svg.contains("tolerance 3 mm") && is_svg(&svg));
+        // One bar and its entry of the legend, two lines each.
+        assert_eq!((svg.matches("; COLLISION").count(), lines_at(&svg, r#"stroke-width="2.4""#).len()), (1, 4));
         assert!(svg.contains("90 % interval 0.500 .. 1.500 mm, median 1.100 mm; pass (P = 97 %)"), "{svg}");
         // An interval of three times the length of its bar, whose middle is where the bar ends; the axis begins at zero.
         let whiskers = lines_at(&svg, r#"stroke-width="1.4""#);

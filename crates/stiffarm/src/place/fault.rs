@@ -155,6 +155,11 @@ pub enum PlaceError {
 }
 
 impl PlaceError {
+    /// The question makes no sense, or asks for what is not known of any robot.
+    pub fn is_of_the_question(&self) -> bool {
+        !matches!(self, Self::Model(_) | Self::Unfinished { .. } | Self::Stopped(_))
+    }
+
     /// The robot is sound, but the planar model does not hold for it: a compensator, an unusual coupling, or rigid drives 2
     /// and 3; or it does not hold for the work.
     pub fn is_not_of_the_plane(&self) -> bool {

@@ -50,7 +50,11 @@ impl FromStr for Builtin {
             Some(("raster", rest)) => {
                 let (of, step) = rest.split_once('@').ok_or_else(|| wrong(EXPECTED.into()))?;
                 let (of, step) = (zone(of)?, size(step)?);
-                if MOST_TRACKS < of.sides()[1] / step {
+                let across = of.sides()[1];
+                if across < step * (1.0 - 1e-9) {
+                    return Err(wrong(format!("tracks {step} m apart over {across} m; expected at most that")));
+                }
+                if MOST_TRACKS < across / step {
                     return Err(wrong(format!("more than {MOST_TRACKS} tracks; expected a wider step")));
                 }
                 Ok(Self::Raster(of, step))
@@ -156,6 +160,8 @@ mod tests {
             "circle:x",
             "spiral:1",
             "raster:rect:1x50@0.0001",
+            // Millimetres for metres.
+            "raster:rect:0.4x0.2@20",
         ] {
             let told = text.parse::<Builtin>().unwrap_err().to_string();
             assert!(told.contains("expected"), "{told}");
