@@ -1,0 +1,191 @@
+//! A placement field by field.
+
+use super::super::cell as told_cell;
+use super::super::uncertainty::Known;
+use super::super::verdict::Verdict;
+use super::super::words::tool_mm;
+use super::super::{Datum, Record, advice, field, force, margins, payload, stiffness, uncertainty, verdict, words};
+use super::PlaceAnswer;
+use stiffarm::advice::Advice;
+use stiffarm::cell::Cell;
+use stiffarm::clearance::Clearance;
+use stiffarm::interval::Interval;
+use stiffarm::limits::Pendant;
+use stiffarm::model::ModelKind;
+use stiffarm::place::{FacePlacement, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Within};
+use stiffarm::robot::Robot;
+use stiffarm::task::Task;
+
+impl PlaceAnswer {
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Self { robot, model, task, options, placed, tolerance_mm, advice } = self;
+        let mut record = cell(robot, task, (model, options), Ok(placed), (*tolerance_mm, self.known()));
+        put_advice(&mut record, advice.as_ref(), (task, options.load));
+        record
+    }
+}
+
+/// One face of a part.
+fn face_record(found: &FacePlacement) -> Record {
+    let FacePlacement { face, centre, deflection, lower_bound, worst_point, hold } = found;
+    let mut record = Record::new();
+    record
+        .put(field::FACE, &face.name)
+        .put(field::FACE_CENTRE, *centre)
+        .put(field::TOOL_DIRECTION, words::asked_degrees(face.elevation))
+        .put(field::YAW, hold.yaw)
+        .put(field::ROLL, hold.roll)
+        .put(field::DEFLECTION, *deflection)
+        .put(field::LOWER_BOUND, *lower_bound)
+        .put(field::SHOULDER, hold.configuration.shoulder.name())
+        .put(field::ELBOW, hold.configuration.elbow.name())
+        .put(field::WRIST, hold.configuration.wrist.name())
+        .put(field::WORST_POINT, *worst_point)
+        .put(field::WORST_JOINTS, hold.joints)
+        .put(field::WORST_SHARES, hold.shares)
+        .put(field::LIMIT_MARGIN, hold.limit_margin.0)
+        .put(field::LIMIT_MARGIN_JOINT, hold.limit_margin.1)
+        .put(field::SINGULAR_MARGIN, hold.singular_margin);
+    record
+}
+
+/// One zone of one robot: the same fields whatever the model and whatever was found.
+pub(in crate::answer) fn cell(
+    robot: &Robot,
+    task: &Task,
+    (model, options): (&ModelKind, &PlaceOptions),
+    placed: Result<&Placed, &PlaceError>,
+    (tolerance_mm, known): (Option<f64>, Option<Known>),
+) -> Record {
+    let best = placed.ok().and_then(Placed::feasible);
+    let mut record = Record::new();
+    stiffness::put_robot(&mut record, robot);
+    record.put(field::TASK, &task.label).put(field::MODEL, model.name());
+    force::put(&mut record, options.load);
+    payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).put(&mut record);
+    asked(&mut record, robot, model, options);
+    outcome(&mut record, placed);
+    record
+        .put(field::DEFLECTION, best.map(|best| best.deflection))
+        .put(field::LOWER_BOUND, best.map(|best| best.lower_bound))
+        .put(field::X, best.map(|best| best.centre[0]))
+        .put(field::Z, best.map(|best| best.centre[1]));
+    let clearance = best.and_then(|best| clearance(robot, (model, options), task, best));
+    held(&mut record, (robot, best, clearance), options.cell.as_ref());
+    uncertainty::put(&mut record, known.map(|known| known.spread));
+    let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
+    let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
+    verdict::put(&mut record, tolerance_mm, held, best.is_none() && placed.is_ok());
+    record
+}
+
+/// How near the arm comes to anything at a place.
+pub(in crate::answer) fn clearance(
+    robot: &Robot,
+    (model, options): (&ModelKind, &PlaceOptions),
+    task: &Task,
+    best: &Placement,
+) -> Option<Clearance> {
+    let model = model.of(robot).expect("the model that has found the place");
+    best.clearance(&model, &task.work, &options.margins)
+}
+
+/// Adds what was sought beside a placement.
+pub(in crate::answer) fn put_advice(record: &mut Record, found: Option<&Advice>, asked: advice::Asked) {
+    record.put(field::ADVICE, found.map(|found| advice::record(found, asked)));
+}
+
+/// What was asked of a model, with what it takes where nothing was said.
+fn asked(record: &mut Record, robot: &Robot, model: &ModelKind, options: &PlaceOptions) {
+    let flange_from_tool = match model {
+        ModelKind::Planar => None,
+        ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
+    };
+    let in_cell = options.cell.is_some_and(|cell| cell.windows().next().is_some());
+    let Within { x, z } = margins::window(options, model, robot);
+    let ends = |range: Interval| [range.min(), range.max()].map(|end| end.is_finite().then_some(end));
+    record
+        .put(field::TOOL, flange_from_tool.map(tool_mm))
+        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(told_cell::elevation(options))))
+        .put(field::WITHIN, if in_cell { Datum::Absent } else { Datum::Numbers([ends(x), ends(z)].concat()) })
+        .put(field::ROBOT_CELL, options.cell.map(|cell| told_cell::record(&cell)));
+    margins::put(record, options, robot);
+}
+
+/// Whether there is a place, and why not.
+fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
+    let (feasible, reason, proved, scale) = match placed {
+        Ok(Placed::Feasible(_)) => (Some(true), None, None, None),
+        Ok(Placed::Infeasible { reason, is_proved, largest_scale }) => {
+            (Some(false), Some(reason.to_string()), Some(*is_proved), *largest_scale)
+        }
+        Err(error) => (None, Some(error.to_string()), None, None),
+    };
+    record
+        .put(field::FEASIBLE, feasible)
+        .put(field::REASON, reason)
+        .put(field::PROVED, proved)
+        .put(field::LARGEST_SCALE, scale);
+}
+
+/// How the zone stands and what holds it.
+fn held(
+    record: &mut Record,
+    (robot, best, clearance): (&Robot, Option<&Placement>, Option<Clearance>),
+    cell: Option<&Cell>,
+) {
+    let hold = best.and_then(Placement::space);
+    let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
+    let margin = best.and_then(Placement::smallest_margin);
+    let wide = clearance.and_then(|clearance| clearance.wide);
+    record
+        .put(field::BEARING, of(|hold| hold.bearing))
+        .put(field::YAW, of(|hold| hold.yaw))
+        .put(field::ANGLE, best.map(|best| best.angle))
+        .put(field::ROLL, of(|hold| hold.roll))
+        .put(field::SHOULDER, hold.map(|hold| hold.configuration.shoulder.name()))
+        .put(field::ELBOW, best.map(|best| best.elbow.name()))
+        .put(field::WRIST, hold.map(|hold| hold.configuration.wrist.name()))
+        .put(field::WORST_POINT, best.map(|best| best.worst_point))
+        .put(field::FROM_AXIS_1, best.and_then(|best| best.from_axis_1))
+        .put(field::BELOW_BASE, best.and_then(|best| best.outside).map(|outside| outside.below))
+        .put(field::BEHIND_AXIS_1, best.and_then(|best| best.outside).map(|outside| outside.behind))
+        .put(field::WORST_JOINTS, hold.map(|hold| hold.joints))
+        .put(field::PENDANT, hold.and(robot.pendant()).map(Pendant::name))
+        .put(field::WORST_SHARES, hold.map(|hold| hold.shares))
+        .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))
+        .put(field::LIMIT_MARGIN_JOINT, hold.map(|hold| hold.limit_margin.1))
+        .put(field::SINGULAR_MARGIN, of(|hold| hold.singular_margin))
+        .put(field::SMALLEST_MARGIN, margin.map(|(least, _)| least))
+        .put(field::SMALLEST_MARGIN_OF, margin.map(|(_, of)| margins::of(of)))
+        .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
+        .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
+        .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
+        .put(field::CLEARANCE_OUTSIDE, clearance.map(|clearance| clearance.outside))
+        .put(field::CLEARANCE_WIDE, wide.map(|wide| wide.distance))
+        .put(field::CLEARANCE_WIDE_OF, wide.map(|wide| words::bodies(wide.link, wide.to)))
+        .put(field::CELL_CENTRE, best.zip(cell).map(|(best, cell)| best.in_cell(cell)))
+        .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)))
+        .put(field::FACES, faces(best));
+}
+
+/// Every face of a part; null of one flat zone.
+fn faces(best: Option<&Placement>) -> Datum {
+    let faces = best.map(|best| &best.faces).filter(|faces| !faces.is_empty());
+    faces.map_or(Datum::Absent, |faces| Datum::Nested(faces.iter().map(|face| face_record(face).json()).collect()))
+}
+
+fn resolution(found: &Resolution) -> Record {
+    let mut record = Record::new();
+    record
+        .put(field::COARSE_STEP, found.coarse_step)
+        .put(field::COARSE, found.coarse)
+        .put(field::FINE_STEP, found.fine_step)
+        .put(field::FINE_TURN, found.fine_turn)
+        .put(field::SAMPLE_STEP, found.sample_step)
+        .put(field::SAMPLES, found.samples)
+        .put(field::HALVING, found.halving)
+        .put(field::BOXES, found.boxes);
+    record
+}
