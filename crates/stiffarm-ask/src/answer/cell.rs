@@ -99,7 +99,7 @@ fn told_window(window: &Window) -> String {
 }
 
 /// As JSON: null where a range is open.
-pub(super) fn record(cell: &Cell) -> Value {
+pub(super) fn record(cell: &Cell, robot: &Robot) -> Value {
     let ends = |range: Interval| json!([range.min(), range.max()].map(|end| end.is_finite().then_some(end)));
     let block = |block: &Block| json!([ends(block.x), ends(block.y), ends(block.z)]);
     let window = |window: Window| match window {
@@ -121,6 +121,7 @@ pub(super) fn record(cell: &Cell) -> Value {
         "base_deg": turns,
         "within_m": cell.windows().map(window).collect::<Vec<_>>(),
         "keep_out_m": kept,
+        "keep_out_carries_base": clearance::carrying(robot, cell),
         "clearance_mm": cell.clearance.map(|asked| asked * 1e3),
     })
 }

@@ -194,7 +194,7 @@ fields! {
     CLEARANCE_OUTSIDE: "clearance_outside_mm", Kind::Number(Unit::Millimetre), "By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where none is estimated.";
     CLEARANCE_WIDE: "clearance_wide_mm", Kind::Number(Unit::Millimetre), "The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm; negative where they overlap, so that the arm may touch; null where its bodies are known.";
     CLEARANCE_WIDE_OF: "clearance_wide_of", Kind::Text, "Which of those to what.";
-    ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free; null where there is none.";
+    ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base stands in or on, so that it is taken as what carries it; null where there is none.";
     CELL_CENTRE: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "The centre of the zone in the axes of the cell, its floor at 0.";
     FACES: "faces", Kind::Nested, "Every face of a part; null of one flat zone.";
     FACE: "face", Kind::Text, "Which face of a part.";

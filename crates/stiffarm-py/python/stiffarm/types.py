@@ -1234,6 +1234,8 @@ class CellDict(TypedDict):
 
     keep_out_m: list[list[list[float | None]]]
 
+    keep_out_carries_base: list[int]
+
     clearance_mm: float | None
     """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
 
@@ -1470,7 +1472,8 @@ class _Placed(_Pass):
     """Where the zone may stand; null where it is open."""
 
     cell: CellDict | None
-    """The cell as it was asked for: mount, windows, what is kept free; null where there is none."""
+    """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
+    stands in or on, so that it is taken as what carries it; null where there is none."""
 
     asked_limit_margin_deg: float
     """What every joint was to keep from its limits."""
@@ -3048,7 +3051,8 @@ class MilledDict(_Pass):
     """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
 
     cell: None
-    """The cell as it was asked for: mount, windows, what is kept free; null where there is none."""
+    """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
+    stands in or on, so that it is taken as what carries it; null where there is none."""
 
     at_m: list[float]
     """Where the path's origin stands, from the robot's base."""

@@ -92,7 +92,7 @@ pub(crate) fn placements() -> Vec<Value> {
         in_space(&[
             ("task", "circle:0.3"),
             ("mount", "pedestal:0.5"),
-            ("keep-out", "3..4,..,0..1"),
+            ("keep-out", "3..4,..,0..1;-0.4..0.4,-0.4..0.4,0..0.4"),
             ("clearance-mm", "10"),
         ]),
         in_space(&[("task", "circle:0.3"), ("within", "1..2,-1..1,0..1;1..2,1..2,0..1")]),

@@ -36,7 +36,7 @@ impl MillAnswer {
             .put(field::ASKED_SINGULAR_MARGIN, options.singular_margin)
             .put(field::SPEED_SHARE, self.speeds().map(|_| options.share_of_speed))
             .put(field::CLEAR_OF_BASE, self.column())
-            .put(field::ROBOT_CELL, self.ground.cell.map(|cell| told_cell::record(&cell)));
+            .put(field::ROBOT_CELL, self.ground.cell.map(|cell| told_cell::record(&cell, &self.robot)));
         self.put_place(&mut record);
         record
             .put(field::FEASIBLE, found.is_some())

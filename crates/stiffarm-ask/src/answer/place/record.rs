@@ -109,7 +109,7 @@ fn asked(record: &mut Record, robot: &Robot, model: &ModelKind, options: &PlaceO
         .put(field::TOOL, flange_from_tool.map(tool_mm))
         .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(told_cell::elevation(options))))
         .put(field::WITHIN, if in_cell { Datum::Absent } else { Datum::Numbers([ends(x), ends(z)].concat()) })
-        .put(field::ROBOT_CELL, options.cell.map(|cell| told_cell::record(&cell)));
+        .put(field::ROBOT_CELL, options.cell.map(|cell| told_cell::record(&cell, robot)));
     margins::put(record, options, robot);
 }
 
