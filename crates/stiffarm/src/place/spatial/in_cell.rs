@@ -38,6 +38,8 @@ const LARGEST: Effort = Effort { places: 320_000.0, starts: 120, finalists: 40 }
 const BLOCK: usize = 256;
 /// How often a place is sought anew with more clearance than was asked for.
 const TOUCHES: usize = 3;
+/// A mount that is turned leaves so much, rad, in what is straight ahead: rounding.
+const AHEAD: f64 = 1e-12;
 /// Steps, rad, in which a place is turned back towards straight ahead.
 const ASIDE: f64 = PI / 24.0;
 /// So far, m, a place may move until every limit is kept between its samples.
@@ -302,6 +304,7 @@ impl<'a> CellSearch<'a> {
     /// The answer at a refined site; `None` where it is not followed there, or where following it leads out of what is allowed.
     fn evaluated(&self, found: &Scored, coarse: Score, step: f64) -> Result<Option<Solution>, Stopped> {
         let (bearing, _) = self.ground.local(&found.site);
+        let bearing = if bearing.abs() < AHEAD { 0.0 } else { bearing };
         let solution = self.at(&found.site, |search, work| {
             let grid = Grid::of(self.zone, CELLS[2]);
             let candidate: Candidate = search.candidate(*work, &grid);
