@@ -332,7 +332,6 @@ mod tests {
                 assert!((found[i] / expected - 1.0).abs() < tolerance, "{load:?} {i}: {} {expected}", found[i]);
                 missed = missed.max(1.0 - at_worst[i] / expected);
             }
-            // At the worst point alone it would not be.
             // Under a force that is known the best place balances its worst points: at one of them alone a draw would be a third and more too low.
             assert!(if load.is_worst() { missed < tolerance } else { 0.3 < missed }, "{load:?}: {missed}");
         }

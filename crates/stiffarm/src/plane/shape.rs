@@ -56,12 +56,10 @@ impl Shape {
     }
 
     /// Of a rectangle.
-    pub(crate) fn corners(&self) -> Vec<Vector2<f64>> {
+    pub(crate) fn corners(&self) -> Option<[Vector2<f64>; 4]> {
         match *self {
-            Self::Disc(..) => Vec::new(),
-            Self::Rectangle(centre, half) => [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
-                .map(|(sx, sy)| centre + Vector2::new(sx * half.x, sy * half.y))
-                .into(),
+            Self::Disc(..) => None,
+            Self::Rectangle(centre, half) => Some(corners(centre, half)),
         }
     }
 
@@ -82,10 +80,9 @@ impl Shape {
                 let half = (radius / centre.norm()).min(1.0).asin();
                 Interval::spanning(heading - half, heading + half)
             }
-            Self::Rectangle(..) => self
-                .corners()
-                .into_iter()
+            Self::Rectangle(_, half) => corners(centre, half)
                 .map(|p| heading + centre.perp(&p).atan2(centre.dot(&p)))
+                .into_iter()
                 .fold(Interval::point(heading), |range, bearing| {
                     Interval::spanning(range.min().min(bearing), range.max().max(bearing))
                 }),
@@ -141,6 +138,12 @@ impl Shape {
             }
         }
     }
+}
+
+/// Of a rectangle, by its centre and half sides.
+fn corners(centre: Vector2<f64>, half: Vector2<f64>) -> [Vector2<f64>; 4] {
+    [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
+        .map(|(sx, sy)| Vector2::new(centre.x + sx * half.x, centre.y + sy * half.y))
 }
 
 /// The places `y` on the edge `x = h`, `|y - middle| <= half`, where a circle of radius `outer` touches it whose centre

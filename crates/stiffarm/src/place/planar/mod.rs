@@ -216,7 +216,7 @@ impl Solution {
     /// distance), and one that is known, as a rule, there or at a corner.
     fn hold(&self, model: &PlanarModel, zone: Zone, margin: Option<(f64, MarginOf)>) -> Hold {
         let shape = zone.shape(turned(self.centre.into(), -self.angle));
-        let points = [shape.nearest(), shape.farthest()].into_iter().chain(shape.corners());
+        let points = [shape.nearest(), shape.farthest()].into_iter().chain(shape.corners().into_iter().flatten());
         let side = model.sides.iter().find(|side| side.elbow == self.elbow).expect("the side that holds the zone");
         let postures = points.map(|point| side.posture_near(turned(point, self.angle)));
         let by_drive = std::iter::once(self.worst_posture.into()).chain(postures);
