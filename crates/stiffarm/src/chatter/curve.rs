@@ -48,6 +48,8 @@ pub struct Curve {
     samples: Option<Arc<Samples>>,
     is_coupled: bool,
     nodes: Vec<Node>,
+    /// The least depths first.
+    stretches: Vec<Stretch>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -58,13 +60,13 @@ struct Node {
     arg: [f64; 2],
 }
 
-/// A crossing of the curve with a delay, before it is refined.
-struct Crossing {
-    /// No more than its depth.
+/// An eigenvalue from a node to the next, where it may be an edge up to [`LONGEST`].
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    /// No more than the depth of any of its edges.
     at_least: f64,
     node: usize,
     branch: usize,
-    turns: f64,
 }
 
 impl Curve {
@@ -83,6 +85,7 @@ impl Curve {
             motion: motion.clone(),
             samples,
             nodes: Vec::new(),
+            stretches: Vec::new(),
         };
         let [start, end] = curve.samples.as_ref().map_or([0.0, f64::INFINITY], |samples| samples.ends());
         let mu = curve.pair(start);
@@ -92,6 +95,7 @@ impl Curve {
         if end == f64::INFINITY {
             curve.follow_to_the_end();
         }
+        curve.stretches = stretches(&curve.nodes);
         curve
     }
 
@@ -185,50 +189,34 @@ impl Curve {
 
     /// The least depth that swings where teeth are `period` apart, s; `None` where no edge up to [`LONGEST`] does.
     pub fn edge_at(&self, period: f64) -> Option<Edge> {
-        let mut crossings = self.crossings(period);
-        crossings.sort_by(|a, b| a.at_least.total_cmp(&b.at_least));
         let mut best: Option<Edge> = None;
-        for crossing in crossings {
-            if best.is_some_and(|best| best.depth < crossing.at_least) {
+        for stretch in &self.stretches {
+            if best.is_some_and(|best| best.depth < stretch.at_least) {
                 break;
             }
-            let found = self.refined(&crossing, period).filter(|edge| edge.depth <= LONGEST);
-            if let Some(found) = found.filter(|found| best.is_none_or(|best| found.depth < best.depth)) {
-                best = Some(found);
+            for turns in self.turns(stretch, period) {
+                let is_less = |found: &Edge| best.map_or(found.depth <= LONGEST, |best| found.depth < best.depth);
+                best = self.refined(stretch, turns, period).filter(is_less).or(best);
             }
         }
         best
     }
 
-    fn crossings(&self, period: f64) -> Vec<Crossing> {
-        let mut found = Vec::new();
-        for (node, pair) in self.nodes.windows(2).enumerate() {
-            for branch in [0, 1] {
-                let phase = |node: &Node| node.w * period - PI - 2.0 * node.arg[branch];
-                let [from, to] = [phase(&pair[0]), phase(&pair[1])];
-                let mu = [pair[0].mu[branch], pair[1].mu[branch]];
-                let (first, last) = ((from.min(to) / TAU).ceil() as i64, (from.max(to) / TAU).floor() as i64);
-                for turns in first..=last {
-                    let turns = TAU * turns as f64;
-                    let share = if from == to { 0.0 } else { (turns - from) / (to - from) };
-                    let between = mu[0] + (mu[1] - mu[0]) * share;
-                    let real = between.re + CHORD * mu[0].norm().max(mu[1].norm());
-                    if LEAST <= real {
-                        found.push(Crossing { at_least: 0.5 / real, node, branch, turns });
-                    }
-                }
-            }
-        }
-        found
+    /// The turns, rad, by which the curve lags behind the delay somewhere on a stretch.
+    fn turns(&self, stretch: &Stretch, period: f64) -> impl Iterator<Item = f64> {
+        let phase = |node: &Node| node.w * period - PI - 2.0 * node.arg[stretch.branch];
+        let [from, to] = [stretch.node, stretch.node + 1].map(|i| phase(&self.nodes[i]));
+        let (first, last) = ((from.min(to) / TAU).ceil() as i64, (from.max(to) / TAU).floor() as i64);
+        (first..=last).map(|turns| TAU * turns as f64)
     }
 
-    fn refined(&self, crossing: &Crossing, period: f64) -> Option<Edge> {
-        let [low, high] = [self.nodes[crossing.node], self.nodes[crossing.node + 1]];
-        let i = crossing.branch;
+    fn refined(&self, stretch: &Stretch, turns: f64, period: f64) -> Option<Edge> {
+        let [low, high] = [self.nodes[stretch.node], self.nodes[stretch.node + 1]];
+        let i = stretch.branch;
         let mu_at = |w: f64| self.between(&low, &high, w)[i];
         let phase = |w: f64| {
             let arg = low.arg[i] + (mu_at(w) * low.mu[i].conj()).arg();
-            w * period - PI - 2.0 * arg - crossing.turns
+            w * period - PI - 2.0 * arg - turns
         };
         let rises = phase(low.w) <= phase(high.w);
         let w = root(low.w, high.w, |w| if rises { phase(w) } else { -phase(w) });
@@ -270,4 +258,17 @@ impl Curve {
             });
         at_rest.chain(crossed).min_by(|a, b| a.depth.total_cmp(&b.depth)).filter(|edge| edge.depth <= LONGEST)
     }
+}
+
+/// Of a curve, the least depths first. The arc between two nodes is no farther from its chord than [`CHORD`] of its size.
+fn stretches(nodes: &[Node]) -> Vec<Stretch> {
+    let pairs = nodes.windows(2).enumerate().flat_map(|(node, pair)| [0, 1].map(|branch| (node, branch, pair)));
+    let stretches = pairs.filter_map(|(node, branch, pair)| {
+        let mu = [pair[0].mu[branch], pair[1].mu[branch]];
+        let real = mu[0].re.max(mu[1].re) + CHORD * mu[0].norm().max(mu[1].norm());
+        (LEAST <= real).then(|| Stretch { at_least: 0.5 / real, node, branch })
+    });
+    let mut stretches: Vec<Stretch> = stretches.collect();
+    stretches.sort_by(|a, b| a.at_least.total_cmp(&b.at_least));
+    stretches
 }

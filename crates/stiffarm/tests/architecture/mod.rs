@@ -213,11 +213,12 @@ fn a_source_is_read_as_the_compiler_reads_it() {
         #[cfg(test)]
         mod tests { use crate::q::R; }
         fn s() { super::t() }
+        fn u<'a>(x: &'a [u8]) -> impl Iterator + use<'a> { v::w(x) }
     "##;
     let found = uses(&tokens(text));
     let paths: Vec<String> = found.paths.iter().map(|path| path.join("::")).collect();
     let expected =
-        ["std::fmt", "crate::a", "crate::a::B", "crate::d", "super::e::f", "h::i", "crate::j::K", "super::t"];
+        ["std::fmt", "crate::a", "crate::a::B", "crate::d", "super::e::f", "h::i", "crate::j::K", "super::t", "v::w"];
     assert_eq!(paths, expected);
     assert_eq!(found.names["C"], ["crate", "a", "B"]);
 }

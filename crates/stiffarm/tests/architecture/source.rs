@@ -117,7 +117,8 @@ pub(crate) fn uses(tokens: &[String]) -> Uses {
     let mut found = Uses::default();
     let mut at = 0;
     while at < tokens.len() {
-        if tokens[at] == "use" {
+        // Behind `use <` stand lifetimes that a type takes.
+        if tokens[at] == "use" && tokens.get(at + 1).is_some_and(|next| next != "<") {
             at = tree(tokens, at + 1, &[], &mut found);
         } else if tokens[at].chars().all(is_of_a_word) && tokens.get(at + 1).is_some_and(|next| next == "::") {
             let mut path = vec![tokens[at].clone()];
