@@ -42,15 +42,27 @@ impl Occupied {
         for (number, line) in lines.iter().enumerate() {
             let others = lines.iter().enumerate().filter(|(i, _)| *i != number);
             let others: Vec<Px> = others.flat_map(|(_, line)| spaced(&line.points, 4.0)).collect();
-            let free =
+            let is_free =
                 |place: &Place| place.discs.iter().all(|&disc| self.is_free(disc, font.size) && holds(region, disc));
-            let mut places = places(&line.points, font.width(&line.text), font.size);
-            places.retain(free);
-            for place in &mut places {
+            let crowded = |place: &Place| {
                 let clearance = others.iter().map(|&p| squared(p, place.at)).fold(f64::INFINITY, f64::min).sqrt();
-                place.cost += 2.0 * (1.0 - clearance / (1.5 * font.size)).max(0.0);
+                2.0 * (1.0 - clearance / (1.5 * font.size)).max(0.0)
+            };
+            // Whether a place is free takes longest to see: it is asked of those alone that would be the best one.
+            let mut places = places(&line.points, font.width(&line.text), font.size);
+            places.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            let mut best: Option<(f64, Place)> = None;
+            for place in places {
+                let least = best.as_ref().map_or(f64::INFINITY, |(cost, _)| *cost);
+                if least <= place.cost {
+                    break;
+                }
+                let cost = place.cost + crowded(&place);
+                if cost < least && is_free(&place) {
+                    best = Some((cost, place));
+                }
             }
-            let Some(best) = places.into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost)) else { continue };
+            let Some((_, best)) = best else { continue };
             canvas.text(best.at, &line.text, font.middle().turned(best.angle).halo());
             self.taken.extend(best.discs.iter().map(|&disc| (disc, 0.7 * font.size)));
         }
