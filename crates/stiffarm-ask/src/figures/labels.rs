@@ -48,7 +48,7 @@ impl Occupied {
                 let clearance = others.iter().map(|&p| squared(p, place.at)).fold(f64::INFINITY, f64::min).sqrt();
                 2.0 * (1.0 - clearance / (1.5 * font.size)).max(0.0)
             };
-            // Whether a place is free takes longest to see: it is asked of those alone that would be the best one.
+            // The check for room takes longest: only places that would be better than the best one so far are checked.
             let mut places = places(&line.points, font.width(&line.text), font.size);
             places.sort_by(|a, b| a.cost.total_cmp(&b.cost));
             let mut best: Option<(f64, Place)> = None;
@@ -190,6 +190,47 @@ mod tests {
                 assert!(label.iter().all(|p| other.iter().all(|q| 12.0 < distance(*p, *q))));
             }
         }
+    }
+
+    /// Against every place of every line, each checked for room.
+    #[test]
+    fn a_label_stands_at_the_free_place_of_the_least_cost() {
+        let font = Font::new(12.0);
+        let region = [vec![[0.0, 0.0], [300.0, 0.0], [300.0, 200.0], [150.0, 120.0], [0.0, 200.0], [0.0, 0.0]]];
+        let wave = |phase: f64| {
+            let point = |i: u32| [f64::from(i) * 3.0, 100.0 + 60.0 * (f64::from(i) / 12.0 + phase).sin()];
+            Labelled { points: (0..=100).map(point).collect(), text: "0.5".into() }
+        };
+        let lines: Vec<Labelled> = (0..7).map(|i| wave(f64::from(i) * 0.6)).collect();
+        let mut occupied = Occupied::default();
+        occupied.label(&mut Canvas::new(300.0, 200.0), &lines, font, &region);
+        let is_of_label = |(_, radius): &&(Px, f64)| *radius == 0.7 * font.size;
+        let labels: Vec<Px> = occupied.taken.iter().filter(is_of_label).map(|(at, _)| *at).collect();
+        let mut labels = labels.chunks(5);
+
+        let mut before = Occupied::default();
+        before.take(&region[0], 3.0);
+        let (mut written, mut kept_from_the_cheapest) = (0, 0);
+        for (number, line) in lines.iter().enumerate() {
+            let others = lines.iter().enumerate().filter(|(i, _)| *i != number);
+            let others: Vec<Px> = others.flat_map(|(_, line)| spaced(&line.points, 4.0)).collect();
+            let all = places(&line.points, font.width(&line.text), font.size).into_iter().map(|place| {
+                let clearance = others.iter().map(|&p| distance(p, place.at)).fold(f64::INFINITY, f64::min);
+                let has_room = place.discs.iter().all(|&disc| before.is_free(disc, font.size) && holds(&region, disc));
+                (place.cost + 2.0 * (1.0 - clearance / (1.5 * font.size)).max(0.0), has_room, place)
+            });
+            let all: Vec<(f64, bool, Place)> = all.collect();
+            let by_cost = |a: &&(f64, bool, Place), b: &&(f64, bool, Place)| a.0.total_cmp(&b.0);
+            let Some((_, _, best)) = all.iter().filter(|(_, has_room, _)| *has_room).min_by(by_cost) else { continue };
+            assert_eq!(labels.next(), Some(&best.discs[..]), "line {number}");
+            before.taken.extend(best.discs.iter().map(|&disc| (disc, 0.7 * font.size)));
+            written += 1;
+            kept_from_the_cheapest += usize::from(all.iter().min_by(by_cost).is_some_and(|least| !least.1));
+        }
+        assert!(
+            labels.next().is_none() && 3 < written && 0 < kept_from_the_cheapest,
+            "{written} {kept_from_the_cheapest}"
+        );
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub struct Curve {
     samples: Option<Arc<Samples>>,
     is_coupled: bool,
     nodes: Vec<Node>,
-    /// The least depths first.
+    /// By their least depth.
     stretches: Vec<Stretch>,
 }
 
@@ -202,7 +202,7 @@ impl Curve {
         best
     }
 
-    /// The turns, rad, by which the curve lags behind the delay somewhere on a stretch.
+    /// The whole turns, rad, between the phase of the delay and that of the eigenvalue on a stretch.
     fn turns(&self, stretch: &Stretch, period: f64) -> impl Iterator<Item = f64> {
         let phase = |node: &Node| node.w * period - PI - 2.0 * node.arg[stretch.branch];
         let [from, to] = [stretch.node, stretch.node + 1].map(|i| phase(&self.nodes[i]));
@@ -260,7 +260,7 @@ impl Curve {
     }
 }
 
-/// Of a curve, the least depths first. The arc between two nodes is no farther from its chord than [`CHORD`] of its size.
+/// The stretches of a curve by their least depth. Between two nodes the arc departs from its chord by at most [`CHORD`] of its size.
 fn stretches(nodes: &[Node]) -> Vec<Stretch> {
     let pairs = nodes.windows(2).enumerate().flat_map(|(node, pair)| [0, 1].map(|branch| (node, branch, pair)));
     let stretches = pairs.filter_map(|(node, branch, pair)| {
