@@ -272,3 +272,39 @@ fn stretches(nodes: &[Node]) -> Vec<Stretch> {
     stretches.sort_by(|a, b| a.at_least.total_cmp(&b.at_least));
     stretches
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against every crossing between any two nodes, each refined.
+    #[test]
+    fn no_crossing_is_less_deep_than_the_edge_that_is_found() {
+        let mode = |hertz: f64, ratio: f64, tip: [f64; 3]| (TAU * hertz, ratio, tip);
+        let motion = Motion::uncoupled(&[
+            mode(9.0, 0.02, [0.08, 0.03, 0.01]),
+            mode(14.0, 0.03, [-0.02, 0.09, 0.02]),
+            mode(31.0, 0.015, [0.06, -0.05, 0.04]),
+            mode(55.0, 0.04, [0.05, 0.07, -0.03]),
+        ]);
+        let mean = Matrix3x2::new(-6e8, -3e8, 4e8, -7e8, -1e8, -2e8);
+        let curve = Curve::of(&motion, &mean);
+        let (mut found, mut not_of_the_first) = (0, 0);
+        for i in 0..600 {
+            let period = 2e-3 * 1.007_f64.powi(i);
+            let all = (0..curve.nodes.len() - 1).flat_map(|node| [0, 1].map(|branch| (node, branch)));
+            let crossings = all.flat_map(|(node, branch)| {
+                let stretch = Stretch { at_least: 0.0, node, branch };
+                let refined = |turns| Some((node, curve.refined(&stretch, turns, period)?));
+                curve.turns(&stretch, period).filter_map(refined).collect::<Vec<_>>()
+            });
+            let within = crossings.filter(|(_, edge)| edge.depth <= LONGEST);
+            let least = within.min_by(|a, b| a.1.depth.total_cmp(&b.1.depth));
+            assert_eq!(curve.edge_at(period), least.map(|(_, edge)| edge), "{period}");
+            found += usize::from(least.is_some());
+            let first = curve.stretches.iter().find(|stretch| curve.turns(stretch, period).next().is_some());
+            not_of_the_first += usize::from(least.map(|(node, _)| node) != first.map(|stretch| stretch.node));
+        }
+        assert!(500 < found && 0 < not_of_the_first, "{found} {not_of_the_first}");
+    }
+}
