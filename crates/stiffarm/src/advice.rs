@@ -3,10 +3,9 @@
 //! Force and stiffness follow from one placement, for every deflection grows with the force, and shrinks with the stiffness of all
 //! drives, in proportion: the best place stays the best. The largest zone is sought by placing smaller ones.
 
-use rayon::prelude::*;
-
 use crate::load::Load;
 use crate::model::Model;
+use crate::parallel;
 use crate::place::{Hold, NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place};
 use crate::rank::{RankError, Ranking, Row};
 use crate::robot::{Arm, Robot};
@@ -137,7 +136,7 @@ pub fn advise_best(
         parts.one_more().map_err(|error| failed(error.into()))?;
         Ok((at, task, Some(advice)))
     };
-    let found: Vec<_> = pairs.par_iter().with_max_len(1).map(one).collect::<Result<_, RankError>>()?;
+    let found = parallel::try_each(&pairs, one)?;
     let mut told = vec![vec![None; ranking.tasks.len()]; ranking.rows.len()];
     for (at, task, advice) in found {
         told[at][task] = advice;

@@ -2,14 +2,13 @@
 
 mod standing;
 
-use rayon::prelude::*;
-
 pub use standing::may_be_as_good;
 use standing::ranks;
 pub use standing::{Contestant, Rank, Standing, order};
 
 use crate::load::Load;
 use crate::model::{Model, ModelKind};
+use crate::parallel;
 use crate::place::{PlaceError, PlaceOptions, Placed, Placement, find, place};
 use crate::robot::{Robot, Status};
 use crate::task::{Task, Zone};
@@ -204,7 +203,7 @@ pub fn curves(
         }
         Ok(curve)
     };
-    robots.par_iter().with_max_len(1).map(curve).collect()
+    parallel::try_each(robots, curve)
 }
 
 /// Places every task on every robot (\[paper\], section IV) and puts the robots in order.
@@ -285,7 +284,7 @@ fn ranked(
             cell => Ok(cell),
         }
     };
-    let cells: Vec<Cell> = pairs.par_iter().with_max_len(1).map(judge).collect::<Result<_, _>>()?;
+    let cells: Vec<Cell> = parallel::try_each(&pairs, judge)?;
     let mut cells = cells.into_iter();
     let rows: Vec<Row> = robots
         .iter()

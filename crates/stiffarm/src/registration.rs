@@ -10,9 +10,9 @@
 //! with the lever `h` that makes a turn a length.
 
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
-use rayon::prelude::*;
 
 use crate::chain::Chain;
+use crate::parallel;
 use crate::spatial::Pose;
 
 /// Rows that are taken together, on one thread.
@@ -102,7 +102,7 @@ impl Problem<'_> {
 
     /// The rows about a state.
     pub(crate) fn linear(&self, state: &State) -> Vec<Linear> {
-        self.sights.par_iter().with_min_len(TOGETHER).map(|sight| self.row(sight, state)).collect()
+        parallel::each(&self.sights, |sight| self.row(sight, state))
     }
 
     fn row(&self, sight: &Sight, state: &State) -> Linear {
@@ -170,7 +170,7 @@ impl Problem<'_> {
     ) -> (DMatrix<f64>, DVector<f64>) {
         let n = self.unknowns();
         let rows: Vec<&Linear> = rows.collect();
-        let parts: Vec<_> = rows.par_chunks(TOGETHER).map(|some| summed(some, n)).collect();
+        let parts = parallel::take_each(rows.chunks(TOGETHER), |_, some| summed(some, n));
         // In the order of the rows, whoever has finished first.
         let nothing = (DMatrix::zeros(n, n), DVector::zeros(n));
         let (mut h, mut g) = parts.into_iter().fold(nothing, |(h, g), (more_h, more_g)| (h + more_h, g + more_g));

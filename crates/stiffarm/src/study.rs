@@ -2,12 +2,11 @@
 
 mod best;
 
-use rayon::prelude::*;
-
 use best::Stance;
 
 use crate::drive::Architecture;
 use crate::interval::Interval;
+use crate::parallel;
 use crate::plane::PlanarArm;
 use crate::robot::{NoArmPlane, Robot};
 use crate::root::root;
@@ -259,16 +258,16 @@ pub fn study_watched(options: &StudyOptions, watch: Watch) -> Result<Study, Stud
     let pairs: Vec<(usize, Option<f64>)> =
         (0..options.tasks.len()).flat_map(|task| ratios.iter().map(move |&mu| (task, mu))).collect();
     let parts = watch.parts(Some(keys.len() + SCAN * pairs.len()));
-    let row = |(task, mu, size, contender): (usize, Option<f64>, f64, usize)| {
+    let row = |&(task, mu, size, contender): &(usize, Option<f64>, f64, usize)| {
         parts.one_more()?;
         let zone = options.tasks[task].work.scaled(size);
         let found = value(options, contender, zone, mu);
         let ratio = found.map(|(mu, _)| mu).or(mu).map(|chosen| Ratio { mu: chosen, is_best: mu.is_none() });
-        Ok(Row { task, size, contender, ratio, accuracy: found.map(|(_, accuracy)| accuracy) })
+        Ok::<_, Stopped>(Row { task, size, contender, ratio, accuracy: found.map(|(_, accuracy)| accuracy) })
     };
-    let rows = keys.into_par_iter().map(row).collect::<Result<_, Stopped>>()?;
-    let found = pairs.into_par_iter().map(|(task, mu)| boundaries(options, task, mu, &parts));
-    let boundaries: Vec<Vec<Boundary>> = found.collect::<Result<_, _>>()?;
+    let rows = parallel::try_each(&keys, row)?;
+    let boundaries: Vec<Vec<Boundary>> =
+        parallel::try_each(&pairs, |(task, mu)| boundaries(options, *task, *mu, &parts))?;
     let at_mark = |contender| {
         let Mark { task, mu, size, .. } = options.mark.as_ref()?;
         value(options, contender, options.tasks[*task].work.scaled(*size), Some(*mu)).map(|(_, accuracy)| accuracy)

@@ -1,13 +1,13 @@
 //! How compliant are many postures, given by their joint angles?
 
 use pulp::{Arch, Simd, WithSimd};
-use rayon::prelude::*;
 
 use super::SpatialArm;
 use super::lanes::Lanes;
 use super::posture::PostureLanes;
 use super::vectors::{Symmetric, Triple};
 use crate::compliance::{PostureError, check_joint};
+use crate::parallel;
 
 /// Postures that one thread takes at a time.
 const BLOCK: usize = 4096;
@@ -26,7 +26,7 @@ impl SpatialArm {
     /// Where the slices differ in length.
     pub fn worst(&self, joints: [&[f64]; 6], worst: &mut [f64]) -> Result<(), PostureError> {
         check(&joints, worst.len())?;
-        worst.par_chunks_mut(BLOCK).enumerate().for_each(|(block, found)| {
+        parallel::take_each(worst.chunks_mut(BLOCK), |block, found| {
             let joints = joints.map(|q| &q[block * BLOCK..][..found.len()]);
             Arch::new().dispatch(Worst { arm: self, joints, found });
         });
@@ -45,9 +45,9 @@ impl SpatialArm {
         let count = entries[0].len();
         assert!(entries.iter().all(|entry| entry.len() == count), "six slices of one length");
         check(&joints, count)?;
-        let [xx, yy, zz, xy, yz, xz] = entries.map(|entry| entry.par_chunks_mut(BLOCK));
-        let blocks = xx.zip(yy).zip(zz).zip(xy).zip(yz).zip(xz).enumerate();
-        blocks.for_each(|(block, (((((xx, yy), zz), xy), yz), xz))| {
+        let [xx, yy, zz, xy, yz, xz] = entries.map(|entry| entry.chunks_mut(BLOCK));
+        let blocks = xx.zip(yy).zip(zz).zip(xy).zip(yz).zip(xz);
+        parallel::take_each(blocks, |block, (((((xx, yy), zz), xy), yz), xz)| {
             let joints = joints.map(|q| &q[block * BLOCK..][..xx.len()]);
             Arch::new().dispatch(Translations { arm: self, joints, entries: [xx, yy, zz, xy, yz, xz] });
         });

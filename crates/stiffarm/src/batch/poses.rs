@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 use pulp::{Arch, Simd, WithSimd};
-use rayon::prelude::*;
 
 use super::branches::{BranchLanes, FlangePoses};
 use super::counted::{AnyDirection, Counted};
@@ -11,6 +10,7 @@ use super::orientation::{RolledTool, ToolOrientation};
 use super::vectors::Triple;
 use super::{SameBranch, SpatialArm};
 use crate::inverse::Configuration;
+use crate::parallel;
 use crate::spatial::Pose;
 
 /// Poses that one thread takes at a time.
@@ -49,8 +49,8 @@ impl SpatialArm {
     /// and 6 is allowed for certain. Accuracy as [`Self::worst`]. On all cores.
     pub fn best(&self, poses: &[Pose]) -> Vec<Option<Best>> {
         let mut found = vec![None; poses.len()];
-        let blocks = found.par_chunks_mut(BLOCK).zip(poses.par_chunks(BLOCK));
-        blocks.for_each(|(found, poses)| Arch::new().dispatch(BestOf { arm: self, poses, found }));
+        let blocks = found.chunks_mut(BLOCK).zip(poses.chunks(BLOCK));
+        parallel::take_each(blocks, |_, (found, poses)| Arch::new().dispatch(BestOf { arm: self, poses, found }));
         found
     }
 

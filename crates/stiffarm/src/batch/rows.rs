@@ -1,11 +1,11 @@
 //! How compliant are many postures, given as rows of six joint angles in the units of whoever asks?
 
 use pulp::{Arch, Simd, WithSimd};
-use rayon::prelude::*;
 
 use super::SpatialArm;
 use super::joints::{Translations, Worst, makes_sense};
 use crate::compliance::{PostureError, compliance};
+use crate::parallel;
 use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::watch::{Stopped, Watch};
@@ -64,13 +64,13 @@ pub fn worst_of_rows(
     let arm = &SpatialArm::new(robot, flange_from_tool).map_err(|error| RowError { row: 0, error })?;
     assert_eq!(rows.len(), found.len(), "one answer per posture");
     let parts = watch.parts(Some(rows.len().div_ceil(CHUNK)));
-    let chunk = |(rows, found): (&[[f64; 6]], &mut [f64])| {
+    let chunk = |_, (rows, found): (&[[f64; 6]], &mut [f64])| {
         parts.one_more()?;
         let blocks = rows.chunks(BLOCK).zip(found.chunks_mut(BLOCK));
         let fine = blocks.map(|(rows, found)| Arch::new().dispatch(WorstOfRows { arm, rows, units, found }));
-        Ok(fine.fold(true, |all, one| all & one))
+        Ok::<_, Stopped>(fine.fold(true, |all, one| all & one))
     };
-    if all_fine(rows.par_chunks(CHUNK).zip(found.par_chunks_mut(CHUNK)).map(chunk))? {
+    if parallel::try_take_each(rows.chunks(CHUNK).zip(found.chunks_mut(CHUNK)), chunk)?.into_iter().all(|fine| fine) {
         return Ok(());
     }
     refuse_first(robot, flange_from_tool, rows, units, found.iter().position(|value| value.is_nan()))
@@ -94,21 +94,16 @@ pub fn matrices_of_rows(
     let arm = &SpatialArm::new(robot, flange_from_tool).map_err(|error| RowError { row: 0, error })?;
     assert_eq!(rows.len(), found.len(), "one answer per posture");
     let parts = watch.parts(Some(rows.len().div_ceil(CHUNK)));
-    let chunk = |(rows, found): (&[[f64; 6]], &mut [[f64; 9]])| {
+    let chunk = |_, (rows, found): (&[[f64; 6]], &mut [[f64; 9]])| {
         parts.one_more()?;
         let blocks = rows.chunks(BLOCK).zip(found.chunks_mut(BLOCK));
         let fine = blocks.map(|(rows, found)| Arch::new().dispatch(MatricesOfRows { arm, rows, units, found }));
-        Ok(fine.fold(true, |all, one| all & one))
+        Ok::<_, Stopped>(fine.fold(true, |all, one| all & one))
     };
-    if all_fine(rows.par_chunks(CHUNK).zip(found.par_chunks_mut(CHUNK)).map(chunk))? {
+    if parallel::try_take_each(rows.chunks(CHUNK).zip(found.chunks_mut(CHUNK)), chunk)?.into_iter().all(|fine| fine) {
         return Ok(());
     }
     refuse_first(robot, flange_from_tool, rows, units, found.iter().position(|matrix| matrix[0].is_nan()))
-}
-
-/// Whether all chunks are fine.
-fn all_fine(chunks: impl ParallelIterator<Item = Result<bool, Stopped>>) -> Result<bool, Stopped> {
-    chunks.try_reduce(|| true, |one, other| Ok(one & other))
 }
 
 /// One block of rows; false where a row of it may have no answer.
@@ -191,15 +186,15 @@ fn refuse_first(
     units: Units,
     without_number: Option<usize>,
 ) -> Result<(), RowsError> {
-    let evaluate = |(row, q): (usize, &[f64; 6])| {
-        let evaluated = compliance(robot, &q.map(|angle| angle * units.angle), flange_from_tool);
-        evaluated.err().map(|error| RowError { row, error })
+    let evaluate = |chunk: usize, rows: &[[f64; 6]]| {
+        rows.iter().enumerate().try_for_each(|(i, q)| {
+            let evaluated = compliance(robot, &q.map(|angle| angle * units.angle), flange_from_tool);
+            evaluated.map(|_| ()).map_err(|error| RowError { row: chunk * CHUNK + i, error })
+        })
     };
+    parallel::try_take_each(rows.chunks(CHUNK), evaluate)?;
     let unstable = |row| RowError { row, error: PostureError::Unstable(robot.name.clone()) };
-    match rows.par_iter().enumerate().find_map_first(evaluate).or(without_number.map(unstable)) {
-        Some(error) => Err(error.into()),
-        None => Ok(()),
-    }
+    without_number.map_or(Ok(()), |row| Err(unstable(row).into()))
 }
 
 #[cfg(test)]

@@ -1,12 +1,11 @@
 //! Within which depths does a cut begin to swing, as far as drives and damping may be off?
 
-use rayon::prelude::*;
-
 use super::curve::{Curve, Edge};
 use super::cut::Cut;
 use super::teeth::Teeth;
 use super::tip::Tip;
 use crate::modes::{Motion, Swing};
+use crate::parallel;
 use crate::prior::factors;
 use crate::robot::Robot;
 
@@ -63,15 +62,16 @@ impl<'a> Draws<'a> {
 
     /// The curve of each.
     pub(super) fn curves(&self, cut: &Cut) -> Vec<Curve> {
-        self.0.par_iter().map(|motion| self.1.curve(motion, cut)).collect()
+        parallel::each(&self.0, |motion| self.1.curve(motion, cut))
     }
 
     /// Tooth by tooth, at the speed of the cut.
     pub(super) fn by_tooth(&self, cut: &Cut, curves: &[Curve], steps: usize) -> DepthSpread {
-        let edges = self.0.par_iter().zip(curves).map(|(motion, curve)| {
+        let edges = parallel::each_of(curves.len(), |i| {
+            let (motion, curve) = (&self.0[i], &curves[i]);
             let from = curve.any_speed().map_or(super::cut::LONGEST, |edge| edge.depth);
             Teeth::of(motion, cut).edge_at(cut.spindle, steps, from / 2.0)
         });
-        DepthSpread::of(edges.collect::<Vec<_>>().into_iter())
+        DepthSpread::of(edges.into_iter())
     }
 }

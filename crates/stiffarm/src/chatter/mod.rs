@@ -16,11 +16,11 @@ mod tip;
 use std::f64::consts::TAU;
 
 use nalgebra::Matrix3;
-use rayon::prelude::*;
 
 use crate::compliance::compliance;
 use crate::cutting::Process;
 use crate::modes::{Damping, HeldTool, ModesError, Swing, modes, nominal_modes};
+use crate::parallel;
 use crate::robot::Robot;
 use crate::spatial::Pose;
 
@@ -272,7 +272,7 @@ fn lobes(curve: &Curve, drawn: &[Curve], cut: &Cut) -> Vec<Lobe> {
         let at = |curve: &Curve| curve.edge_at(cut.period_at(*spindle));
         Lobe { spindle: *spindle, edge: at(curve), spread: Some(DepthSpread::of(drawn.iter().map(at))) }
     };
-    speeds.par_iter().map(lobe).collect()
+    parallel::each(&speeds, lobe)
 }
 
 fn lobes_by_tooth(teeth: &Teeth, cut: &Cut, from: f64) -> Vec<Lobe> {
@@ -282,5 +282,5 @@ fn lobes_by_tooth(teeth: &Teeth, cut: &Cut, from: f64) -> Vec<Lobe> {
         let steps = teeth.steps(*spindle)?;
         Some(Lobe { spindle: *spindle, edge: teeth.edge_at(*spindle, steps, from), spread: None })
     };
-    speeds.par_iter().filter_map(lobe).collect()
+    parallel::each(&speeds, lobe).into_iter().flatten().collect()
 }

@@ -1,7 +1,6 @@
 //! From readings to a system of equations, its solution, and what that says of each spring.
 
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
-use rayon::prelude::*;
 
 use super::compensated::Compensated;
 use super::model::Springs;
@@ -14,6 +13,7 @@ use super::{
     bound, rms, student, told,
 };
 use crate::catalogue::measurements::Reading;
+use crate::parallel;
 use crate::robot::{Arm, Robot};
 use crate::watch::Watch;
 
@@ -60,9 +60,11 @@ impl<'a> Work<'a> {
         let rows = |run: &&[Reading]| {
             watch.go_on()?;
             let bent = Bent::at(robot, &run[0].q)?;
-            Ok(run.iter().map(|reading| Rows::of(reading, &bent, springs, &regions, options)).collect())
+            Ok::<Vec<Rows>, IdentifyError>(
+                run.iter().map(|reading| Rows::of(reading, &bent, springs, &regions, options)).collect(),
+            )
         };
-        let rows: Vec<Vec<Rows>> = runs.par_iter().map(rows).collect::<Result<_, IdentifyError>>()?;
+        let rows = parallel::try_each(&runs, rows)?;
         let mut a = DMatrix::zeros(3 * readings.len(), springs.len());
         let mut y = DVector::zeros(3 * readings.len());
         for (i, rows) in rows.iter().flatten().enumerate() {

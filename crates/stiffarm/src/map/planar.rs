@@ -1,7 +1,6 @@
 //! Deflections over a grid of the arm plane, row by row within the circles that bound what is reached.
 
 use pulp::{Arch, Simd, WithSimd};
-use rayon::prelude::*;
 
 use super::directed::DirectedRows;
 use super::spans::{RowSpans, Scratch};
@@ -9,6 +8,7 @@ use super::{Axis, Grid, MapError, MapOptions, PlaneGrid, Spacing};
 use crate::interval::Interval;
 use crate::load::Load;
 use crate::model::PlanarModel;
+use crate::parallel;
 use crate::plane::{Elbow, ElbowSide, RadialCompliance};
 use crate::watch::Watch;
 
@@ -69,7 +69,7 @@ pub(super) fn fill(
     let spans = RowSpans::new(&sides, grid.x);
     let block = (16_384 / columns).max(1);
     let parts = watch.parts(Some(grid.z.count.div_ceil(block)));
-    let fill = |(number, block_cells): (usize, &mut [f64])| {
+    let fill = |number: usize, block_cells: &mut [f64]| {
         let first = number * block;
         match &directed {
             None => {
@@ -80,7 +80,8 @@ pub(super) fn fill(
         }
         parts.one_more()
     };
-    Ok(cells.par_chunks_mut(block * columns).enumerate().try_for_each(fill)?)
+    parallel::try_take_each(cells.chunks_mut(block * columns), fill)?;
+    Ok(())
 }
 
 /// Rows from `first` on: sigma(r) over the reached spans, blank elsewhere. A type of its own: a closure may be compiled without the wide

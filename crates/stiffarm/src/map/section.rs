@@ -3,7 +3,6 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::rolls::{Hold, Rolls};
 use super::{Axis, Grid, HeldPosture, MOST_CELLS_IN_SPACE, Map, MapError, Margins, check_grid};
@@ -13,6 +12,7 @@ use crate::inverse::{Configuration, postures, within_limits};
 use crate::limits::Limits;
 use crate::load::{Forces, Load};
 use crate::model::SpatialModel;
+use crate::parallel;
 use crate::tolerances;
 use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{WorkPlacement, WorkPlane};
@@ -72,13 +72,12 @@ pub(super) fn section(
     let options = SectionOptions { x, z, load, held };
     let freed = freed(arm, load, held);
     let scan = Scan::new(&freed, &options);
-    let mut cells = vec![Cell::NONE; x.count * z.count];
     let parts = watch.parts(Some(z.count));
-    let fill = |(j, cells): (usize, &mut [Cell])| {
-        cells.copy_from_slice(&scan.row(j, &parts)?);
-        parts.one_more()
+    let row = |j: usize| {
+        let row = scan.row(j, &parts)?;
+        parts.one_more().map(|()| row)
     };
-    cells.par_chunks_mut(x.count).enumerate().try_for_each(fill)?;
+    let cells = parallel::try_each_of(z.count, row)?.concat();
     let layer = |value: fn(&Cell) -> f64| Grid { x, z, cells: cells.iter().map(value).collect() };
     let margins = Margins {
         limits: layer(|cell| cell.limit_margin),

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use nalgebra::Matrix6;
-use rayon::prelude::*;
 
 use super::{MeasureError, Options, information, stands_free};
 use crate::compliance::{PostureError, beyond_limits};
+use crate::parallel;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Wrench;
 use crate::watch::Parts;
@@ -45,16 +45,14 @@ pub(super) fn postures(
     };
     let mut postures = Vec::with_capacity(wanted);
     for start in (0..MOST_REFUSED * wanted).step_by(wanted.max(1)) {
-        let block: Vec<usize> = (start..start + wanted).collect();
-        let kept: Result<Vec<Option<[f64; 6]>>, MeasureError> = block
-            .into_par_iter()
-            .map(|n| {
-                parts.go_on()?;
-                let q: [f64; 6] = posture(n);
-                Ok((beyond_limits(robot, &q).is_empty() && stands_free(robot, &q, options)?).then_some(q))
-            })
-            .collect();
-        postures.extend(kept?.into_iter().flatten());
+        let kept = parallel::try_each_of(wanted, |n| {
+            parts.go_on()?;
+            let q: [f64; 6] = posture(start + n);
+            Ok::<_, MeasureError>(
+                (beyond_limits(robot, &q).is_empty() && stands_free(robot, &q, options)?).then_some(q),
+            )
+        })?;
+        postures.extend(kept.into_iter().flatten());
         parts.one_more()?;
         if wanted <= postures.len() {
             break;
@@ -75,7 +73,7 @@ impl Candidates {
             let load = Wrench::force(options.ways[*way].along * options.newtons);
             information(robot, &postures[*posture], &load, options)
         };
-        let information = pairs.par_iter().map(of).collect::<Result<_, _>>()?;
+        let information = parallel::try_each(&pairs, of)?;
         Ok(Self { postures, information })
     }
 

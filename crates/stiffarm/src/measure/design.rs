@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{Cholesky, DMatrix, Matrix6};
-use rayon::prelude::*;
 
+use crate::parallel;
 use crate::watch::{Parts, Stopped};
 
 /// The shares are good enough when certified to this.
@@ -19,6 +19,8 @@ const LOOK: usize = 10;
 const EXCHANGED: usize = 400;
 /// Random choices that are compared.
 const RANDOM: usize = 101;
+/// One thread takes the gains of so many at a time.
+const TOGETHER: usize = 512;
 /// A drive of which no candidate tells more than this of what they tell of the best is not shown.
 const NOTHING: f64 = 1e-16;
 
@@ -200,7 +202,7 @@ impl Kept {
     /// The best shares, by the multiplicative rule.
     pub(super) fn shares(&self, information: &[Matrix6<f64>], parts: &Parts) -> Result<Shares, Stopped> {
         let count = information.len();
-        let packed: Vec<Packed> = information.par_iter().map(pack).collect();
+        let packed: Vec<Packed> = information.iter().map(pack).collect();
         let (even, power) = (1.0 / count as f64, self.aim.power());
         let mut weights = vec![even; count];
         let mut active: Vec<usize> = (0..count).collect();
@@ -213,10 +215,11 @@ impl Kept {
             });
             let Some((value, slope)) = self.judged(&unpack(&sum)) else { break };
             let slope = doubled(&slope);
-            let gain = |i: usize| packed[i].iter().zip(&slope).map(|(a, b)| a * b).sum::<f64>();
+            let gain = |packed: &Packed| packed.iter().zip(&slope).map(|(a, b)| a * b).sum::<f64>();
             let looks = step % LOOK == 0;
             if looks {
-                let gains: Vec<f64> = (0..count).into_par_iter().map(gain).collect();
+                let of_some = |_, some: &[Packed]| some.iter().map(gain).collect::<Vec<f64>>();
+                let gains = parallel::take_each(packed.chunks(TOGETHER), of_some).concat();
                 let most = gains.iter().copied().fold(0.0, f64::max);
                 // Every bound holds for all; the best is kept.
                 let bound = best.bound.max(value * value / most);
@@ -237,7 +240,7 @@ impl Kept {
                 active.iter().zip(kept).for_each(|(&i, weight)| weights[i] = weight);
             } else {
                 for &i in &active {
-                    weights[i] *= (gain(i) / value).powf(power);
+                    weights[i] *= (gain(&packed[i]) / value).powf(power);
                 }
             }
             let sum: f64 = active.iter().map(|&i| weights[i]).sum();
@@ -267,8 +270,8 @@ impl Kept {
                 parts.one_more()?;
                 let others = runs.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, run)| *run);
                 let without = Told::of(information, others, repeats);
-                let tried = among.par_iter().filter_map(|&i| Some((value_of(&without.with(i, information)?), i)));
-                let best = tried.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                let tried = parallel::each(&among, |&i| Some((value_of(&without.with(i, information)?), i)));
+                let best = tried.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 if let Some((better, i)) = best.filter(|(better, _)| *better < value * (1.0 - 1e-9)) {
                     (runs[place], value, improved) = (i, better, true);
                 }

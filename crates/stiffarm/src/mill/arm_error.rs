@@ -5,7 +5,6 @@
 //! points tell is taken off.
 
 use nalgebra::{DMatrix, DVector, Point3, Vector3};
-use rayon::prelude::*;
 
 use super::fault::MillError;
 use super::follow::{Pushed, Stand};
@@ -14,6 +13,7 @@ use super::stations::{ErrorPart, Station};
 use crate::calibrate::{prior_of_errors, scale_of_errors};
 use crate::chain::{ALL, Frames};
 use crate::compliance::PostureError;
+use crate::parallel;
 use crate::prior::normal;
 use crate::robot::Robot;
 use crate::uncertainty::quantile;
@@ -47,11 +47,8 @@ pub fn arm_error(
     let looked = Looked::at(robot, stand, (stations, followed), (work_frame, part))?;
     let mut rng = fastrand::Rng::with_seed(38);
     let draws: Vec<DVector<f64>> = (0..DRAWS).map(|_| drawn(&mut rng)).collect();
-    let error = |draw: &DVector<f64>| {
-        watch.go_on()?;
-        Ok(looked.error(draw))
-    };
-    let mut all: Vec<f64> = draws.par_iter().map(error).collect::<Result<_, MillError>>()?;
+    let error = |draw: &DVector<f64>| watch.go_on().map(|()| looked.error(draw));
+    let mut all: Vec<f64> = parallel::try_each(&draws, error)?;
     all.sort_by(f64::total_cmp);
     Ok(DrawnError { median: quantile(&all, 0.5), p95: quantile(&all, 0.95) })
 }

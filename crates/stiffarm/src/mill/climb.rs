@@ -2,10 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use rayon::prelude::*;
-
 use super::follow::{Arrangement, LARGEST_TURN};
 use super::ladder::{Joints, Ladder, Rung, WINDING};
+use crate::parallel;
 use crate::watch::{Stopped, Watch};
 
 /// Nodes of the rung before that a node is joined to: so many steps of the roll either way.
@@ -75,7 +74,7 @@ impl<'a, 'l> Climb<'a, 'l> {
         let mut last = Reached::default();
         for chunk in rungs.chunks(CHUNK) {
             watch.go_on()?;
-            let joints: Vec<Joints> = chunk.par_iter().map(|rung| self.ladder.joints(rung, self.most)).collect();
+            let joints: Vec<Joints> = parallel::each(chunk, |rung| self.ladder.joints(rung, self.most));
             for (rung, joints) in chunk.iter().zip(joints) {
                 let Some(mut next) = self.reached(&last, (way.len(), rung), joints) else { return Ok(Err(way.len())) };
                 way.push((std::mem::take(&mut next.before), next.best));

@@ -12,13 +12,13 @@
 //! drawn once for a path: its postures are alike, and miss alike.
 
 use nalgebra::{Matrix3, Matrix3x6, Point3, Vector3, Vector6};
-use rayon::prelude::*;
 
 use super::fault::MillError;
 use super::follow::{Pushed, Stand, wrench};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
+use crate::parallel;
 use crate::prior::{Drawn, Unexplained};
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
@@ -97,11 +97,17 @@ pub fn compensate(
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()).into());
     };
-    let one = |(station, pushed): (&Station, &Pushed)| {
+    let one = |i: usize| {
+        let (station, pushed) = (&stations[i], &followed[i]);
         watch.go_on()?;
         let target = geometry.model_angles(&pushed.joints, limits.third_axis);
         let Some(wrench) = known_wrench(stand, station)? else {
-            return Ok(Commanded { joints: pushed.joints, pose: station.sample.pose, by_joints: 0.0, by_tips: 0.0 });
+            return Ok::<_, MillError>(Commanded {
+                joints: pushed.joints,
+                pose: station.sample.pose,
+                by_joints: 0.0,
+                by_tips: 0.0,
+            });
         };
         let turned = joint_deflection(robot, &target, stand, &wrench)?;
         let commanded: [f64; 6] = std::array::from_fn(|i| target[i] - turned[i]);
@@ -123,7 +129,7 @@ pub fn compensate(
         };
         Ok(Commanded { joints, pose, by_joints, by_tips })
     };
-    let all: Vec<Commanded> = stations.par_iter().zip(followed).map(one).collect::<Result<_, MillError>>()?;
+    let all: Vec<Commanded> = parallel::try_each_of(stations.len(), one)?;
     let most = |of: fn(&Commanded) -> f64| all.iter().map(of).fold(0.0, f64::max);
     let aside = |(one, station): (&Commanded, &Station)| (one.pose.tip - station.sample.pose.tip).norm();
     let is_beyond = |i: &usize| (0..6).any(|joint| !limits.joints[joint].contains(all[*i].joints[joint], LIMIT));
@@ -159,7 +165,7 @@ pub fn remaining(
     by_drives(robot, stand, (stations, followed), part, &mut |gives| {
         watch.go_on()?;
         raise(&mut all, gives, &missing, drawn);
-        let found: Vec<[f64; 3]> = gives.par_iter().map(of_station).collect();
+        let found: Vec<[f64; 3]> = parallel::each(gives, of_station);
         gives.iter().zip(found).for_each(|(given, found)| by_station[given.station] = found);
         Ok(())
     })?;
@@ -295,14 +301,16 @@ fn times(drawn: &Drawn, part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<f64>>, 
 /// Raises the largest error of every draw to that of some stations: a sum over the drives, each so many times as it gives.
 fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>], drawn: &Drawn) {
     let unexplained = drawn.unexplained.as_ref();
-    let of = |(draw, (largest, times)): (usize, (&mut f64, &Vector6<f64>))| {
+    let of = |draw: usize| {
+        let times = &times[draw];
         let worse = |worst: f64, given: &Given| {
             let is_less = given.most(times, unexplained) <= worst;
             if is_less { worst } else { worst.max(given.error(times, (unexplained, draw))) }
         };
-        *largest = gives.iter().fold(*largest, worse);
+        gives.iter().fold(largest[draw], worse)
     };
-    largest.par_iter_mut().zip(times).enumerate().for_each(of);
+    let raised = parallel::each_of(largest.len(), of);
+    largest.copy_from_slice(&raised);
 }
 
 /// The known force on the tool, base axes; `None` in air.

@@ -9,7 +9,6 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use nalgebra::{Point3, Vector3};
-use rayon::prelude::*;
 
 use super::contact::{Contact, Touching};
 use super::fault::MillError;
@@ -17,6 +16,7 @@ use super::follow::{Arrangement, Stand};
 use super::stations::{ErrorPart, Station};
 use crate::batch::{Pushing, RollGrid, RolledTool, SpatialArm};
 use crate::inverse::{Configuration, postures, within_limits};
+use crate::parallel;
 use crate::watch::Watch;
 
 /// The roll may turn by so many steps of the grid from rung to rung, where speeds are known.
@@ -92,15 +92,11 @@ impl<'a> Ladder<'a> {
         };
         ladder.rungs = ladder.rungs_of_stations();
         let parts = watch.parts(Some(ladder.rungs.len()));
-        let errors: Result<Vec<_>, MillError> = ladder
-            .rungs
-            .par_iter()
-            .map(|rung| {
-                parts.one_more()?;
-                ladder.errors(rung, &ladder.grid)
-            })
-            .collect();
-        for (rung, errors) in ladder.rungs.iter_mut().zip(errors?) {
+        let errors = parallel::try_each(&ladder.rungs, |rung| {
+            parts.one_more()?;
+            ladder.errors(rung, &ladder.grid)
+        })?;
+        for (rung, errors) in ladder.rungs.iter_mut().zip(errors) {
             rung.errors = errors;
         }
         Ok(ladder)

@@ -2,14 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use rayon::prelude::*;
-
 use super::fault::{MillError, Why};
 use super::follow::{Arrangement, Stand, held, pushed};
 use super::solve::MillOptions;
 use super::stations::Station;
 use super::{Followed, arm_with_margins};
 use crate::inverse::posture_of;
+use crate::parallel;
 use crate::robot::Robot;
 
 /// Rolls of a map: steps of 2 deg.
@@ -77,6 +76,6 @@ pub fn roll_map(
         })
     };
     let column = |i: &usize| rolls.iter().map(|roll| cell(*i, *roll)).collect::<Result<Vec<_>, MillError>>();
-    let cells = chosen.par_iter().map(column).collect::<Result<Vec<_>, MillError>>()?;
+    let cells = parallel::try_each(&chosen, column)?;
     Ok(RollMap { stations: chosen, rolls, cells })
 }

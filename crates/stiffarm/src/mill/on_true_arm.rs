@@ -9,7 +9,6 @@
 //! The controller computes with the arm as drawn: a pose that is commanded is that of the drawn arm at these joints.
 
 use nalgebra::{Matrix3, Point3, Vector3, Vector6};
-use rayon::prelude::*;
 
 use super::compensate::{joint_deflection, known_wrench};
 use super::fault::MillError;
@@ -21,6 +20,7 @@ use crate::compliance::PostureError;
 use crate::drive::Drives;
 use crate::geometry::Geometry;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
@@ -121,11 +121,11 @@ pub fn on_true_arm(
     };
     let truly = Stand { base_from_part: found_by_touch(&arm, stand, (stations, followed), &at_touch), ..*stand };
     let setup = Setup { robot, arm: &arm, geometry, limits, drives, stand, truly: &truly, options, corrects_itself };
-    let one = |(station, pushed): (&Station, &Pushed)| {
+    let one = |i: usize| {
         watch.go_on()?;
-        setup.commanded(station, pushed)
+        setup.commanded(&stations[i], &followed[i])
     };
-    let all: Vec<Commanded> = stations.par_iter().zip(followed).map(one).collect::<Result<_, MillError>>()?;
+    let all: Vec<Commanded> = parallel::try_each_of(stations.len(), one)?;
     let is_beyond = |i: &usize| (0..6).any(|joint| !limits.joints[joint].contains(all[*i].joints[joint], LIMIT));
     Ok(Some(OnTrueArm {
         joints: all.iter().map(|one| one.joints).collect(),

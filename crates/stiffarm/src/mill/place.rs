@@ -10,11 +10,9 @@ mod proof;
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
-use rayon::prelude::*;
-
 pub use ground::PathGround;
 use ground::{Coarse, Place, Site};
+use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::fault::{Blocked, MillError};
 use super::follow::Stand;
@@ -25,6 +23,7 @@ use super::{Followed, Milled, arm_with_margins, is_pinned};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::enclose::ArmEnclosure;
 use crate::inverse::Configuration;
+use crate::parallel;
 use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::watch::Watch;
@@ -340,9 +339,9 @@ impl Search<'_> {
         for Coarse { places, apart, .. } in &grids {
             let of = |place: &Place| {
                 parts.one_more()?;
-                Ok(Start { value: self.value(place, ROLLS[0])?, place: *place, apart: *apart })
+                Ok::<_, MillError>(Start { value: self.value(place, ROLLS[0])?, place: *place, apart: *apart })
             };
-            found.extend(places.par_iter().map(of).collect::<Result<Vec<Start>, MillError>>()?);
+            found.extend(parallel::try_each(places, of)?);
         }
         found.retain(|start| start.value.is_finite());
         found.sort_by(|a, b| a.value.total_cmp(&b.value));
@@ -401,10 +400,10 @@ impl Search<'_> {
             loop {
                 let place = |way: &Place| std::array::from_fn(|i| best.place[i] + way[i] * steps[i]);
                 let around: Vec<Place> = ways.iter().map(place).collect();
-                let mut found: Vec<Start> = around
-                    .par_iter()
-                    .map(|place| Ok(Start { value: self.value(place, ROLLS[1])?, place: *place, ..*from }))
-                    .collect::<Result<_, MillError>>()?;
+                let of = |place: &Place| {
+                    Ok::<_, MillError>(Start { value: self.value(place, ROLLS[1])?, place: *place, ..*from })
+                };
+                let mut found = parallel::try_each(&around, of)?;
                 found.retain(|one| one.value < best.value * (1.0 - 1e-6));
                 found.sort_by(|a, b| a.value.total_cmp(&b.value));
                 let mut least = None;

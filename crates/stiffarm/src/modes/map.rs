@@ -1,10 +1,9 @@
 //! How slow does an arm swing first, everywhere a map has a posture for it?
 
-use rayon::prelude::*;
-
 use super::{HeldTool, ModesError, SwingingArm, modes};
 use crate::map::{Grid, Map, MapOptions};
 use crate::model::Model;
+use crate::parallel;
 use crate::uncertainty::Spread;
 
 /// How slow an arm swings first over a map.
@@ -36,7 +35,7 @@ pub fn first_frequencies(
         let nothing = || ModesError::Nothing(model.robot().name.clone());
         arm.frequencies(&q)?.first().copied().ok_or_else(nothing)
     };
-    let cells = (0..x.count * z.count).into_par_iter().map(at).collect::<Result<_, ModesError>>()?;
+    let cells = parallel::try_each_of(x.count * z.count, at)?;
     let hertz = Grid::of(x, z, cells);
     let slowest = hertz.extremes().and_then(|[(_, i, j), _]| map.joints(spatial, options, i, j));
     let slowest = slowest.map(|q| modes(model.robot(), &q, tool, None)).transpose()?;

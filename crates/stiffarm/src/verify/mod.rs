@@ -11,11 +11,10 @@ mod convention;
 mod fit;
 mod search;
 
-use rayon::prelude::*;
-
 use crate::catalogue::readings::Readings;
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Pendant, Verified};
+use crate::parallel;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::watch::{Stopped, Watch};
@@ -167,13 +166,13 @@ fn ranked(table: &Table, robots: &[Robot], watch: Watch) -> Result<Vec<(Robot, F
         })
         .collect();
     watch.go_on()?;
-    let mut glances: Vec<(f64, &(&Robot, &Geometry, Convention))> =
-        ways.par_iter().map(|way| (few.glance(way.1, &way.2), way)).collect();
+    let mut glances = parallel::each(&ways, |way| (few.glance(way.1, &way.2), way));
     glances.sort_by(|a, b| a.0.total_cmp(&b.0));
     watch.go_on()?;
-    let fits: Vec<(Robot, Fit)> = (glances.par_iter().take(RANKED))
-        .map(|(_, (robot, geometry, convention))| ((*robot).clone(), few.fit(geometry, convention, &[])))
-        .collect();
+    glances.truncate(RANKED);
+    let fits: Vec<(Robot, Fit)> = parallel::each(&glances, |(_, (robot, geometry, convention))| {
+        ((*robot).clone(), few.fit(geometry, convention, &[]))
+    });
     let mut found: Vec<(Robot, Fit)> = Vec::new();
     for (robot, fit) in fits {
         match found.iter_mut().find(|(known, _)| *known == robot) {

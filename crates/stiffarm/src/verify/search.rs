@@ -2,11 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use rayon::prelude::*;
-
 use super::Convention;
 use super::fit::{Fit, Table};
 use crate::geometry::Geometry;
+use crate::parallel;
 use crate::watch::{Stopped, Watch};
 
 /// rad: a zero that is found so near a quarter turn from the file's is there.
@@ -31,17 +30,17 @@ pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch:
         near.iter().map(|convention| settled(table, geometry, (convention, file), &free)).collect();
     if !found.iter().any(Fit::agrees) {
         watch.go_on()?;
-        let mut glances: Vec<(f64, Convention)> =
-            (every(file).into_par_iter()).map(|convention| (table.glance(geometry, &convention), convention)).collect();
+        let every: Vec<Convention> = every(file);
+        let glances = parallel::each(&every, |convention| table.glance(geometry, convention));
+        let mut glances: Vec<(f64, Convention)> = glances.into_iter().zip(every).collect();
         watch.go_on()?;
         glances.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let refined = glances.par_iter().take(REFINED).map(|(_, convention)| table.fit(geometry, convention, &[]));
-        let mut refined: Vec<Fit> = refined.collect();
+        glances.truncate(REFINED);
+        let mut refined = parallel::each(&glances, |(_, convention)| table.fit(geometry, convention, &[]));
         refined.sort_by(|a, b| a.rms.total_cmp(&b.rms));
         watch.go_on()?;
-        let settled =
-            refined.par_iter().take(ZEROED).map(|fit| settled(table, geometry, (&fit.convention, file), &free));
-        found.extend(settled.collect::<Vec<_>>());
+        refined.truncate(ZEROED);
+        found.extend(parallel::each(&refined, |fit| settled(table, geometry, (&fit.convention, file), &free)));
     }
     if !found.iter().any(Fit::agrees) {
         let carried = near.iter().flat_map(|convention| {
@@ -50,12 +49,7 @@ pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch:
         });
         let carried: Vec<Convention> = carried.collect();
         watch.go_on()?;
-        found.extend(
-            carried
-                .par_iter()
-                .map(|convention| settled(table, geometry, (convention, file), &free))
-                .collect::<Vec<_>>(),
-        );
+        found.extend(parallel::each(&carried, |convention| settled(table, geometry, (convention, file), &free)));
     }
     if table.len() < all.len() {
         found = found.iter().map(|fit| all.fit(geometry, &fit.convention, &[])).collect();

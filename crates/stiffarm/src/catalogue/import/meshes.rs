@@ -1,7 +1,6 @@
 //! What of a description's meshes belongs to which link of the arm, and which capsules enclose it?
 
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
-use rayon::prelude::*;
 use roxmltree::{Document, Node};
 
 use super::cover::{Triangle, cover};
@@ -14,6 +13,7 @@ use crate::catalogue::reader::shown;
 use crate::catalogue::stl::read_stl;
 use crate::geometry::Geometry;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::plain::on_one_line;
 use crate::spatial::Pose;
 
@@ -67,7 +67,7 @@ impl Described<'_> {
             return Err(self.fault(&format!("{bare} of the arm"), why));
         }
         self.check_widths(geometry, &triangles)?;
-        let links: Vec<_> = triangles.par_iter().map(|own| cover(own, MOST_CAPSULES)).collect();
+        let links = parallel::each(&triangles, |own| cover(own, MOST_CAPSULES));
         let grown = self.off(geometry, limits, &at_zero, &links);
         let links = std::array::from_fn(|i| links[i].iter().map(|one| rounded(one, grown[i])).collect());
         let mut enclosing = Enclosing { links, not_compared: Vec::new() };

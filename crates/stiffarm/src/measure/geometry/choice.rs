@@ -1,8 +1,8 @@
 //! Which rows of unknowns are chosen? Whole postures, none twice, by exchange; and a bound that no choice goes below.
 
 use nalgebra::{DMatrix, DMatrixView, DVector};
-use rayon::prelude::*;
 
+use crate::parallel;
 use crate::watch::{Parts, Stopped};
 
 /// Steps towards the best shares.
@@ -31,14 +31,14 @@ pub(super) struct Choice {
 pub(super) fn squares(columns: &DMatrix<f64>, share: impl Fn(usize) -> f64 + Sync) -> DMatrix<f64> {
     let count = columns.nrows();
     let all: Vec<usize> = (0..columns.ncols()).collect();
-    let sum_of = |some: &[usize]| {
+    let sum_of = |_, some: &[usize]| {
         let mut sum = DMatrix::zeros(count, count);
         for &i in some {
             sum.ger(share(i), &columns.column(i), &columns.column(i), 1.0);
         }
         sum
     };
-    let sums: Vec<DMatrix<f64>> = all.par_chunks(TOGETHER).map(sum_of).collect();
+    let sums = parallel::take_each(all.chunks(TOGETHER), sum_of);
     sums.into_iter().fold(DMatrix::zeros(count, count), |sum, part| sum + part)
 }
 
@@ -88,7 +88,7 @@ impl Choice {
         value: impl Fn(DMatrixView<f64>, DMatrixView<f64>, DMatrixView<f64>) -> f64 + Sync,
     ) -> Vec<f64> {
         let all: Vec<usize> = (0..self.count()).collect();
-        let of_some = |some: &[usize]| {
+        let of_some = |_, some: &[usize]| {
             let rows = self.told.columns(self.each * some[0], self.each * some.len());
             let moved = covariance * rows;
             let seen = &self.weight * &moved;
@@ -98,7 +98,7 @@ impl Choice {
             };
             (0..some.len()).map(of).collect::<Vec<f64>>()
         };
-        all.par_chunks(TOGETHER).flat_map_iter(of_some).collect()
+        parallel::take_each(all.chunks(TOGETHER), of_some).into_iter().flatten().collect()
     }
 
     /// With one less of those chosen.
@@ -186,7 +186,7 @@ impl Choice {
     pub(super) fn random(&self, chosen: usize) -> f64 {
         let mut rng = fastrand::Rng::with_seed(1);
         let choices: Vec<Vec<usize>> = (0..RANDOM).map(|_| rng.choose_multiple(0..self.count(), chosen)).collect();
-        let mut values: Vec<f64> = choices.par_iter().map(|choice| self.value(choice)).collect();
+        let mut values: Vec<f64> = parallel::each(&choices, |choice| self.value(choice));
         values.sort_by(f64::total_cmp);
         values[RANDOM / 2]
     }

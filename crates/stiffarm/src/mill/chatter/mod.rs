@@ -5,8 +5,6 @@
 
 mod roll;
 
-use rayon::prelude::*;
-
 use super::Milled;
 use super::fault::MillError;
 use super::follow::{Pushed, Stand};
@@ -16,6 +14,7 @@ use crate::chatter::{Asked, ByMean, Chatter, ChatterError, Cut, HeldBy, Measured
 use crate::cutting::{Law, Milling, Process};
 use crate::mass::RigidBody;
 use crate::modes::{Damping, HeldTool, check_masses};
+use crate::parallel;
 use crate::robot::Robot;
 use crate::watch::Watch;
 
@@ -146,7 +145,7 @@ pub fn chatter_along(
         let feed = station.sample.direction.map_or([0.0; 3], |way| (stand.base_from_part.rotation * way).into());
         Asked { feed, damping: held.damping, method: None, measured: held.measured.as_ref() }
     };
-    let judged = |(station, pushed): (&Station, &Pushed)| {
+    let judged = |station: &Station, pushed: &Pushed| {
         watch.go_on()?;
         let at = match station.covered() {
             None => return Ok(Judged::Rapid),
@@ -157,9 +156,7 @@ pub fn chatter_along(
         let critical = critical.map_err(of_line(station.sample.line))?;
         Ok::<_, MillError>(Judged::Cut { critical, depth: at.engagement.depth })
     };
-    let all = |followed: &[Pushed]| -> Result<Vec<Judged>, MillError> {
-        stations.par_iter().zip(followed).map(judged).collect()
-    };
+    let all = |followed: &[Pushed]| parallel::try_each_of(stations.len(), |i| judged(&stations[i], &followed[i]));
     let samples = all(followed)?;
     let worst = least_reserve(&samples);
     let worst = worst.and_then(|(i, _)| Some((i, cut(stations[i].cut.as_ref()?))));

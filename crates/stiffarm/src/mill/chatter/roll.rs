@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use rayon::prelude::*;
-
 use super::super::arm_with_margins;
 use super::super::contact::Bodies;
 use super::super::fault::MillError;
@@ -13,6 +11,7 @@ use super::super::stations::Station;
 use crate::chatter::{Asked, Cut, Edge, by_mean};
 use crate::inverse::Configuration;
 use crate::modes::HeldTool;
+use crate::parallel;
 use crate::robot::Robot;
 use crate::watch::Watch;
 
@@ -77,7 +76,7 @@ pub(super) fn deepest(
         let error = pushed(robot, stand, station, options.part, (arrangement, &q))?.error;
         Ok::<_, MillError>(Some(DeepestRoll { roll, edge, error, all_along: None }))
     };
-    let all: Vec<Option<DeepestRoll>> = (0..ROLLS).into_par_iter().map(looked).collect::<Result<_, _>>()?;
+    let all = parallel::try_each_of(ROLLS, looked)?;
     // Of those that go equally deep the one that errs least.
     let by = |a: &DeepestRoll, b: &DeepestRoll| a.depth().total_cmp(&b.depth()).then(b.error.total_cmp(&a.error));
     Ok(all.into_iter().flatten().max_by(by))

@@ -6,8 +6,6 @@ use std::collections::{BTreeMap, HashSet};
 use std::hash::Hash;
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::step::Between;
 use super::touching::{Edge, OfRung, Touch};
 use super::{Contact, Guard, Posed, deeper};
@@ -18,6 +16,7 @@ use crate::mill::climb::{Climb, MOST_STEPS, Node, Sought};
 use crate::mill::fault::MillError;
 use crate::mill::follow::Arrangement;
 use crate::mill::ladder::Ladder;
+use crate::parallel;
 use crate::watch::Watch;
 
 impl Ladder<'_> {
@@ -57,9 +56,9 @@ impl Ladder<'_> {
             let station = self.rungs[k].at;
             let near = |node: &OfRung| {
                 let posed = guard.at(station, self.arrangement(*node))?;
-                Ok(posed.and_then(|posed| guard.posed_arm(posed.theta, station).near))
+                Ok::<_, MillError>(posed.and_then(|posed| guard.posed_arm(posed.theta, station).near))
             };
-            let all = nodes.par_iter().map(near).collect::<Result<Vec<Option<Near>>, MillError>>()?;
+            let all = parallel::try_each(&nodes, near)?;
             // Where one meets nothing, all is clear.
             let Some(all) = all.into_iter().collect::<Option<Vec<Near>>>() else { continue };
             let Some(Near { distance, link, to }) = all.into_iter().max_by(|a, b| a.distance.total_cmp(&b.distance))
@@ -270,9 +269,9 @@ fn flood<T: Copy + Eq + Hash + Send + Sync>(
     let mut front: Vec<(T, Option<Touch>)> = from.into_iter().map(|place| (place, None)).collect();
     while !front.is_empty() {
         front.retain(|(place, _)| known.insert(*place));
-        let of = |(place, beside): &(T, Option<Touch>)| Ok(touch(place, beside.as_ref())?.map(|touch| (*place, touch)));
-        let all = front.par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
-        let all: Vec<(T, Touch)> = all.into_iter().flatten().collect();
+        let of =
+            |(place, beside): &(T, Option<Touch>)| touch(place, beside.as_ref()).map(|touch| Some((*place, touch?)));
+        let all: Vec<(T, Touch)> = parallel::try_each(&front, of)?.into_iter().flatten().collect();
         front =
             all.iter().flat_map(|(place, touch)| about(place).into_iter().map(|next| (next, Some(*touch)))).collect();
         found.extend(all.into_iter().map(|(place, _)| place));

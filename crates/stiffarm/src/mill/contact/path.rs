@@ -1,12 +1,11 @@
 //! Where does a path that is followed touch anything, and how near does it come elsewhere?
 
-use rayon::prelude::*;
-
 use super::step::{Between, Way};
 use super::{Contact, Guard, PLACES, PathClearance, Posed, nearer};
 use crate::clearance::{Looked, Near};
 use crate::mill::fault::MillError;
 use crate::mill::follow::{Arrangement, Pushed};
+use crate::parallel;
 use crate::watch::Watch;
 
 /// Stations that are looked at together: enough for all threads, and little memory.
@@ -49,13 +48,13 @@ impl Guard<'_> {
         for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
             watch.go_on()?;
             let first = chunk * TOGETHER;
-            let posed = |(i, one): (usize, &Pushed)| self.posed_arm(self.model_angles(one), first + i);
-            let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
+            let posed = |i: usize| self.posed_arm(self.model_angles(&together[i]), first + i);
+            let posed: Vec<Posed> = parallel::each_of(together.len(), posed);
             let of = |i: usize| {
                 let before = if i == 0 { last } else { Some(posed[i - 1]) };
                 self.at_station(samples, first + i, before.as_ref(), &posed[i])
             };
-            let all = (0..posed.len()).into_par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
+            let all = parallel::try_each_of(posed.len(), of)?;
             for (i, one) in all.into_iter().enumerate() {
                 let Some(AtStation { near, touches, is_straight }) = one else { return Ok(Err(first + i)) };
                 let of_tool = tool.as_ref().map(|tool| tool.near(first + i, is_straight, self.clearance));
@@ -77,9 +76,8 @@ impl Guard<'_> {
         for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
             watch.go_on()?;
             let first = chunk * TOGETHER;
-            let posed =
-                |(i, one): (usize, &Pushed)| self.posed_to_touch(self.model_angles(one), first + i, self.is_tool_round);
-            let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
+            let posed = |i: usize| self.posed_to_touch(self.model_angles(&together[i]), first + i, self.is_tool_round);
+            let posed: Vec<Posed> = parallel::each_of(together.len(), posed);
             let touches = |i: usize| {
                 let before = if i == 0 { last.as_ref() } else { Some(&posed[i - 1]) }?;
                 let led = self.led(samples, first + i, [before, &posed[i]]);
@@ -92,7 +90,7 @@ impl Guard<'_> {
                 self.has_forbidden();
                 return Ok(false);
             }
-            if let Some(touched) = (0..posed.len()).into_par_iter().find_map_any(touches) {
+            if let Some(touched) = parallel::any_of(posed.len(), touches) {
                 self.has_forbidden();
                 return touched.map(|()| false);
             }

@@ -1,13 +1,12 @@
 //! What does a round tool touch of what stands about the arm? It stands on its own axis: at a sample, and on the straight way to one, the path alone
 //! says where it is. That is looked at once, and not for every roll and configuration.
 
-use rayon::prelude::*;
-
 use super::step::{MOST_HALVINGS, part_way};
 use super::{Contact, Guard, PLACES, deeper, nearer};
 use crate::clearance::{Looked, Near};
 use crate::mill::fault::MillError;
 use crate::mill::stations::Station;
+use crate::parallel;
 use crate::toolpath::ToolPose;
 use crate::watch::Watch;
 
@@ -55,7 +54,7 @@ impl Guard<'_> {
         watch.go_on()?;
         let count = self.stations.len();
         let of_station = |i: usize| self.tool_near(&self.stations[i].sample.pose, i, Looked::ALL);
-        let at: Vec<Option<Near>> = (0..count).into_par_iter().map(of_station).collect();
+        let at: Vec<Option<Near>> = parallel::each_of(count, of_station);
         watch.go_on()?;
         let on_way = |i: usize| {
             let ends = [i.checked_sub(1)?, i];
@@ -70,7 +69,7 @@ impl Guard<'_> {
             let places = (1..PLACES).map(|place| part_way(&from.pose, &to.pose, place as f64 / PLACES as f64));
             places.chain([touched]).map(|pose| self.tool_near(&pose, i, Looked::ALL)).fold(None, nearer)
         };
-        let on_way = (0..count).into_par_iter().map(on_way).collect();
+        let on_way = parallel::each_of(count, on_way);
         Ok(Some(ToolAlong { at, on_way }))
     }
 

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::ground::{Place, Region};
 use super::{ROLLS, Search};
@@ -18,6 +17,7 @@ use crate::mill::fault::MillError;
 use crate::mill::ladder::Ladder;
 use crate::mill::solve::RollMode;
 use crate::mill::stations::Station;
+use crate::parallel;
 use crate::spatial::Pose;
 use crate::tolerances::BOUND;
 use crate::watch::Watch;
@@ -96,7 +96,7 @@ impl Search<'_> {
                 parts.one_more()?;
                 self.bounded(node, &axes, enough)
             };
-            let bounds: Vec<Option<f64>> = halves.par_iter().map(bounded).collect::<Result<_, MillError>>()?;
+            let bounds: Vec<Option<f64>> = parallel::try_each(&halves, bounded)?;
             for (node, bound) in halves.into_iter().zip(bounds) {
                 match bound {
                     None => {}

@@ -7,7 +7,6 @@
 use std::f64::consts::PI;
 
 use nalgebra::{Point3, Rotation3, Vector3};
-use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
 use super::descent::{FINE, Score, descend};
@@ -20,6 +19,7 @@ use crate::cell::Cell;
 use crate::clearance::ThickArm;
 use crate::interval::Interval;
 use crate::inverse::{Configuration, posture_of};
+use crate::parallel;
 use crate::place::Orientation;
 use crate::robot::Robot;
 use crate::task::Zone;
@@ -205,7 +205,7 @@ impl<'a> CellSearch<'a> {
     fn coarse(&self, sites: &[Site]) -> Result<Vec<Scored>, Stopped> {
         let grid = Grid::of(self.zone, CELLS[0]);
         let scored = |site: &Site| self.parts().one_more().map(|()| self.scored_below(site, &grid, Score::NONE, None));
-        let mut scored: Vec<Scored> = sites.par_iter().map(scored).collect::<Result<_, _>>()?;
+        let mut scored = parallel::try_each(sites, scored)?;
         scored.retain(|scored| scored.score.unreached < usize::MAX);
         scored.sort_by(|a, b| a.score.total_cmp(&b.score));
         Ok(scored)
@@ -250,7 +250,7 @@ impl<'a> CellSearch<'a> {
             let kept = |free: &Scored| {
                 self.parts().go_on().map(|()| self.scored_below(&free.site, &grid, Score::NONE, Some(keep)))
             };
-            seen.extend(block.par_iter().map(kept).collect::<Result<Vec<_>, _>>()?);
+            seen.extend(parallel::try_each(block, kept)?);
             seen.sort_by(by_score);
             let last = block.last().expect("no empty block");
             let settled = seen.partition_point(|scored| by_score(scored, last).is_le());
@@ -268,8 +268,7 @@ impl<'a> CellSearch<'a> {
     /// Every start refined, the best first.
     fn refined(&self, starts: &[Scored], cells: usize, step: f64, keep: Option<Keep>) -> Result<Vec<Scored>, Stopped> {
         let grid = Grid::of(self.zone, cells).outermost_first();
-        let refined = starts.par_iter().map(|start| self.descend(start, &grid, step, keep));
-        let mut refined: Vec<Scored> = refined.collect::<Result<_, _>>()?;
+        let mut refined = parallel::try_each(starts, |start| self.descend(start, &grid, step, keep))?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         refined.retain(|scored| scored.score.is_feasible());
         Ok(refined)

@@ -2,8 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use rayon::prelude::*;
-
 use super::bound::BranchAndBound;
 use super::descent::{Score, descend, others};
 use super::search::{CELLS, FINALISTS, STARTS, Search, region};
@@ -14,6 +12,7 @@ use crate::follow::NotFollowed;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::model::SpatialModel;
+use crate::parallel;
 use crate::part::{Face, Part};
 use crate::place::{
     FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
@@ -105,7 +104,8 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
     if questions[0].load.breaks_symmetry() {
         return Ok(vec![(0.0, 0); part.faces.len()]);
     }
-    let one = |(face, question): (&Face, &Question)| {
+    let one = |i: usize| {
+        let (face, question) = (&part.faces[i], &questions[i]);
         let alone = alone(part, face, question);
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);
@@ -113,7 +113,7 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
         let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(upper)?;
         Ok((proof.lower, proof.boxes))
     };
-    part.faces.par_iter().zip(questions).map(one).collect()
+    parallel::try_each_of(part.faces.len(), one)
 }
 
 /// What is asked of a face that is let go from the others: its centre turns about the joint-1 axis into the arm plane, and with it whatever
@@ -258,8 +258,8 @@ impl<'a> PartSearch<'a> {
                 })
                 .collect()
         };
-        let of_turn = |turn: f64| {
-            let stands = stands(turn);
+        let of_turn = |turn: &f64| {
+            let stands = stands(*turn);
             let centres = (0..self.faces.len()).map(|face| self.centres(face, &stands));
             let faces: Vec<Vec<(f64, f64)>> = centres.collect::<Result<_, _>>()?;
             let whole = move |i: usize| {
@@ -267,10 +267,9 @@ impl<'a> PartSearch<'a> {
                 let rolls: Vec<f64> = faces.iter().map(|face| face[i].1).collect();
                 worst.is_finite().then_some((worst, stands[i], rolls))
             };
-            Ok((0..rows * columns).filter_map(whole).collect())
+            Ok((0..rows * columns).filter_map(whole).collect::<Vec<_>>())
         };
-        let of_turns: Vec<Vec<(f64, Stand, Vec<f64>)>> =
-            self.turns().into_par_iter().map(of_turn).collect::<Result<_, _>>()?;
+        let of_turns = parallel::try_each(&self.turns(), of_turn)?;
         let mut centres: Vec<_> = of_turns.into_iter().flatten().collect();
         centres.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (grids, mut seen, mut best) = (self.grids(CELLS[0]), Vec::new(), f64::INFINITY);
@@ -280,8 +279,7 @@ impl<'a> PartSearch<'a> {
                 break;
             }
             self.parts().one_more()?;
-            let evaluated: Vec<Candidate> =
-                block.par_iter().map(|(_, stand, rolls)| self.candidate(*stand, rolls, PI / 12.0, &grids)).collect();
+            let evaluated = parallel::each(block, |(_, stand, rolls)| self.candidate(*stand, rolls, PI / 12.0, &grids));
             let feasible = evaluated.iter().filter(|candidate| candidate.score.is_feasible());
             best = feasible.map(|candidate| candidate.score.worst).fold(best, f64::min);
             seen.extend(evaluated);
@@ -373,8 +371,7 @@ impl<'a> PartSearch<'a> {
     /// Every start refined, the best first.
     fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Result<Vec<Candidate>, Stopped> {
         let grids = self.grids(cells);
-        let refined = starts.par_iter().map(|start| self.descend(start, &grids, step));
-        let mut refined: Vec<Candidate> = refined.collect::<Result<_, _>>()?;
+        let mut refined = parallel::try_each(starts, |start| self.descend(start, &grids, step))?;
         refined.retain(|candidate| candidate.score.is_feasible());
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         Ok(refined)
@@ -431,7 +428,7 @@ impl<'a> PartSearch<'a> {
             let found = self.searches[i].evaluate_placement(&work, coarse)?;
             if found.bearing == 0.0 { Ok(found) } else { Err(NotFollowed::Impossible) }
         };
-        (0..self.faces.len()).into_par_iter().map(one).collect()
+        parallel::try_each_of(self.faces.len(), one)
     }
 
     /// The placement of the part: that of its worst face, with all of them.

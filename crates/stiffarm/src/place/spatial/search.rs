@@ -1,7 +1,5 @@
 //! Where must a zone stand? A coarse search over every place, yaw, angle and roll, then local descent from the best.
 
-use rayon::prelude::*;
-
 use super::bound::BranchAndBound;
 use super::descent::{Score, descend, others};
 use super::{Misfit, Placed, Question, Resolution, Solution};
@@ -9,6 +7,7 @@ use crate::angle::wrapped;
 use crate::batch::{SameBranch, SpatialArm};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
+use crate::parallel;
 use crate::place::{Orientation, Within};
 use crate::robot::Robot;
 use crate::task::Zone;
@@ -50,10 +49,9 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
         proof = branch_and_bound.prove(value(&found))?;
     }
     for _ in 0..RESTARTS {
-        let near = proof.unfathomed.par_iter().filter_map(|work| search.find_near(*work).transpose());
-        let near: Vec<Solution> = near.collect::<Result<_, _>>()?;
+        let near = parallel::try_each(&proof.unfathomed, |work| search.find_near(*work))?;
         let by_deflection = |a: &Solution, b: &Solution| a.deflection.total_cmp(&b.deflection);
-        let Some(better) = near.into_iter().min_by(by_deflection) else { break };
+        let Some(better) = near.into_iter().flatten().min_by(by_deflection) else { break };
         if value(&found) * (1.0 - HALVING) <= better.deflection / options.force {
             break;
         }
@@ -199,8 +197,7 @@ impl<'a> Search<'a> {
     /// Every start refined, the best first.
     pub(super) fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Result<Vec<Candidate>, Stopped> {
         let grid = Grid::of(self.zone, cells).outermost_first();
-        let refined = starts.par_iter().map(|start| self.descend(start, &grid, step));
-        let mut refined: Vec<Candidate> = refined.collect::<Result<_, _>>()?;
+        let mut refined = parallel::try_each(starts, |start| self.descend(start, &grid, step))?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         refined.retain(|candidate| candidate.score.is_feasible());
         Ok(refined)
@@ -267,7 +264,7 @@ impl<'a> Search<'a> {
                 break;
             }
             self.options.parts.one_more()?;
-            let evaluated: Vec<Candidate> = block.par_iter().map(|(_, i)| self.candidate(works[*i], &grid)).collect();
+            let evaluated = parallel::each(block, |(_, i)| self.candidate(works[*i], &grid));
             best = evaluated.iter().filter(|c| c.score.is_feasible()).map(|c| c.score.worst).fold(best, f64::min);
             seen.extend(evaluated);
         }
@@ -277,7 +274,7 @@ impl<'a> Search<'a> {
 
     /// The value at the centre of each placement, with its position in the list; infinite where it is not reached.
     fn centres(&self, works: &[WorkPlacement], of_one_turn: usize) -> Result<Vec<(f64, usize)>, Stopped> {
-        let one_turn = |(turn, works): (usize, &[WorkPlacement])| {
+        let one_turn = |turn: usize, works: &[WorkPlacement]| {
             self.options.parts.go_on()?;
             let plane = WorkPlane::of(self.options.elevation, &works[0]);
             let orientation = self.freed.orientation(plane.tool()).under(plane.forces(self.options.load));
@@ -289,10 +286,9 @@ impl<'a> Search<'a> {
             self.freed.configurations_at(&orientation, &SameBranch::default(), [&x, &y, &z], into);
             let best =
                 |i: usize| configurations.iter().map(|configuration| configuration[i]).fold(f64::INFINITY, f64::min);
-            Ok((0..works.len()).map(|i| (best(i), turn * of_one_turn + i)).collect())
+            Ok((0..works.len()).map(|i| (best(i), turn * of_one_turn + i)).collect::<Vec<_>>())
         };
-        let turns: Vec<Vec<_>> = works.par_chunks(of_one_turn).enumerate().map(one_turn).collect::<Result<_, _>>()?;
-        Ok(turns.into_iter().flatten().collect())
+        Ok(parallel::try_take_each(works.chunks(of_one_turn), one_turn)?.concat())
     }
 
     /// The first of a sorted list that are two steps or another turn apart.
