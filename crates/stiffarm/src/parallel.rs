@@ -8,8 +8,8 @@ use std::sync::{Mutex, OnceLock};
 
 use rayon::prelude::*;
 
-/// No thread takes more than this part of all at a time: one that takes long keeps few others waiting.
-const PORTIONS: usize = 1024;
+/// All is shared in so many portions or more: what takes long keeps few others waiting.
+const PORTIONS: usize = 128;
 
 /// The answer about each of some things.
 pub(crate) fn each<'t, T: Sync, R: Send + Sync>(things: &'t [T], ask: impl Fn(&'t T) -> R + Sync) -> Vec<R> {
@@ -103,6 +103,10 @@ fn tried<R: Send + Sync, E: Send + Sync>(
 }
 
 fn shared(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    // To wake another thread takes longer than much of the work.
+    if count == 1 {
+        return work(0);
+    }
     (0..count).into_par_iter().with_max_len(count.div_ceil(PORTIONS).max(1)).for_each(work);
 }
 

@@ -15,8 +15,10 @@ use crate::chain::Chain;
 use crate::parallel;
 use crate::spatial::Pose;
 
-/// Rows that are taken together, on one thread.
+/// Rows whose squares are summed together.
 const TOGETHER: usize = 32;
+/// Rows that a thread takes at a time: fewer are done before another thread is awake. A multiple of [`TOGETHER`].
+const AT_A_TIME: usize = 128;
 
 /// What was seen at one posture.
 #[derive(Clone, Debug)]
@@ -102,7 +104,8 @@ impl Problem<'_> {
 
     /// The rows about a state.
     pub(crate) fn linear(&self, state: &State) -> Vec<Linear> {
-        parallel::each(&self.sights, |sight| self.row(sight, state))
+        let rows = |_, some: &[Sight]| some.iter().map(|sight| self.row(sight, state)).collect::<Vec<_>>();
+        parallel::take_each(self.sights.chunks(AT_A_TIME), rows).into_iter().flatten().collect()
     }
 
     fn row(&self, sight: &Sight, state: &State) -> Linear {
@@ -170,10 +173,12 @@ impl Problem<'_> {
     ) -> (DMatrix<f64>, DVector<f64>) {
         let n = self.unknowns();
         let rows: Vec<&Linear> = rows.collect();
-        let parts = parallel::take_each(rows.chunks(TOGETHER), |_, some| summed(some, n));
+        let sums = |_, some: &[&Linear]| some.chunks(TOGETHER).map(|some| summed(some, n)).collect::<Vec<_>>();
+        let parts = parallel::take_each(rows.chunks(AT_A_TIME), sums);
         // In the order of the rows, whoever has finished first.
         let nothing = (DMatrix::zeros(n, n), DVector::zeros(n));
-        let (mut h, mut g) = parts.into_iter().fold(nothing, |(h, g), (more_h, more_g)| (h + more_h, g + more_g));
+        let (mut h, mut g) =
+            parts.into_iter().flatten().fold(nothing, |(h, g), (more_h, more_g)| (h + more_h, g + more_g));
         for i in 0..n {
             if self.is_held(i) {
                 h[(i, i)] = 1.0;

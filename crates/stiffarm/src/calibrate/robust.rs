@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::fit::Rows;
 use super::level::Level;
 use crate::chain::Frames;
+use crate::parallel;
 use crate::registration::{Linear, Sight, State};
 
 /// Degrees of freedom of Student's t.
@@ -63,25 +64,26 @@ pub(super) fn start(
     let judges: Vec<Sight> = sights.iter().step_by(step).cloned().collect();
     let rows = |sights: Vec<Sight>| Rows { arm, drives: None, sights, stands, points, lever: 0.3 };
     let judging = rows(judges);
-    let mut best: Option<(State, f64)> = None;
-    for _ in 0..subsets {
+    let mut subset = || {
         let mut chosen = Vec::new();
         for stand in &by_stand {
             let mut some = stand.clone();
             rng.shuffle(&mut some);
             chosen.extend(some.into_iter().take(OF));
         }
-        let subset: Vec<Sight> = chosen.into_iter().map(|i| sights[i].clone()).collect();
+        chosen.into_iter().map(|i| sights[i].clone()).collect()
+    };
+    let subsets: Vec<Vec<Sight>> = (0..subsets).map(|_| subset()).collect();
+    let judged = parallel::each(&subsets, |subset| {
         if (0..points).any(|j| subset.iter().all(|sight| sight.points[j].is_none())) {
-            continue;
+            return None;
         }
-        let state = rows(subset).start();
+        let state = rows(subset.clone()).start();
         let off = median(distances(&judging.drawn(&state)).into_iter().map(|(_, _, off)| off).collect());
-        if off.is_finite() && best.as_ref().is_none_or(|(_, least)| off < *least) {
-            best = Some((state, off));
-        }
-    }
-    best
+        off.is_finite().then_some((state, off))
+    });
+    // Of equals the first.
+    judged.into_iter().flatten().min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// Weights, noise and wrong rows under the level that has the arm's weight.
