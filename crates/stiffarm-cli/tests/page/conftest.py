@@ -37,10 +37,11 @@ def origin() -> Iterator[str]:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """Chromium without a window."""
-    found = shutil.which("chromium") or shutil.which("chromium-browser")
+    """Chromium without a window: a shell that draws pages and no more starts and opens them in half the time."""
+    names = ["chromium-headless-shell", "chromium", "chromium-browser"]
+    found = next((path for name in names if (path := shutil.which(name))), None)
     if found is None:
-        pytest.fail("no chromium: apt-get install chromium")
+        pytest.fail("no chromium: apt-get install chromium-headless-shell, or chromium")
     with sync_playwright() as driver:
         window = driver.chromium.launch(executable_path=found, args=["--no-sandbox"])
         yield window
