@@ -21,7 +21,7 @@ from sweeps import ASKED, ROBOTS, left_over, listed, local, parts, refused
 
 
 #: Each chunk takes long enough to be interrupted.
-SLOW = {"tasks": ["B:0.5", "C:0.15"], "force_n": 1000, "scenarios": cluster.spread(1000), "chunk_rows": 1000}
+SLOW = {"tasks": ["B:0.5", "C:0.15"], "force_n": 1000, "scenarios": cluster.spread(400), "chunk_rows": 400}
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +42,7 @@ def script(folder, workers=2):
     from stiffarm import cluster
     if __name__ == "__main__":
         cluster.sweep({ROBOTS!r}, folder={str(folder)!r}, workers={workers}, tasks=["B:0.5", "C:0.15"],
-                      scenarios=cluster.spread(1000), chunk_rows=1000)
+                      scenarios=cluster.spread(400), chunk_rows=400)
     """
     path = folder.with_suffix(".py")
     path.write_text(textwrap.dedent(text))
