@@ -139,7 +139,9 @@ mod tests {
     fn what_is_given_away_is_taken_once() {
         let mut values = vec![0; 1001];
         let lengths = take_each(values.chunks_mut(10), |run, values| {
-            values.iter_mut().for_each(|value| *value += run + 1);
+            for value in &mut *values {
+                *value += run + 1;
+            }
             values.len()
         });
         assert_eq!(values, (0..1001).map(|i| i / 10 + 1).collect::<Vec<_>>());
