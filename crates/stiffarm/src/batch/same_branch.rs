@@ -30,27 +30,30 @@ impl SpatialArm {
     /// is an answer of its own.
     pub(crate) fn same_branches(&self, tool: &Pose) -> Vec<SameBranch> {
         let postures = postures(&self.geometry, &(tool * self.flange_from_tool.inverse())).found;
-        let turns = |joint: usize| {
-            1 + usize::from(
-                postures.iter().any(|(_, theta)| self.within_a_quarter_turn(joint, theta[joint]).1.is_some()),
-            )
+        // Of every joint the angles at each posture, by whole turns where there are two choices.
+        let about = |joint: usize| {
+            let ranges: Vec<_> =
+                postures.iter().map(|(_, theta)| self.within_a_quarter_turn(joint, theta[joint])).collect();
+            let roomiest: Vec<_> = ranges.iter().map(|(range, _)| AngularInterval::of(*range)).collect();
+            let has_other = ranges.iter().any(|(_, other)| other.is_some());
+            let other = has_other.then(|| {
+                let each = ranges.iter().zip(&roomiest);
+                each.map(|((_, other), roomiest)| other.map_or(*roomiest, AngularInterval::of)).collect()
+            });
+            [Some(roomiest), other].into_iter().flatten().collect::<Vec<Vec<AngularInterval>>>()
         };
+        let [first, fourths, sixths] = [0, 3, 5].map(about);
         let mut cases = Vec::new();
-        for (fourth, sixth) in (0..turns(3)).flat_map(|fourth| (0..turns(5)).map(move |sixth| (fourth, sixth))) {
+        for (fourth, sixth) in fourths.iter().flat_map(|fourth| sixths.iter().map(move |sixth| (fourth, sixth))) {
             let mut same_branch = SameBranch {
                 clearance: self.clearance + self.reserve,
                 beside_axis_1: CLEARANCE + self.reserve,
                 ..SameBranch::default()
             };
-            for (configuration, theta) in &postures {
-                let index = configuration.index();
-                let about = |joint: usize, turn: usize| {
-                    let (roomiest, other) = self.within_a_quarter_turn(joint, theta[joint]);
-                    if turn == 0 { roomiest } else { other.unwrap_or(roomiest) }
-                };
-                same_branch.first[configuration.shoulder as usize] = about(0, 0);
-                same_branch.fourth[index] = about(3, fourth);
-                same_branch.sixth[index] = about(5, sixth);
+            for (i, (configuration, _)) in postures.iter().enumerate() {
+                same_branch.first[configuration.shoulder as usize] = first[0][i];
+                same_branch.fourth[configuration.index()] = fourth[i];
+                same_branch.sixth[configuration.index()] = sixth[i];
             }
             cases.push(same_branch);
         }
@@ -60,17 +63,17 @@ impl SpatialArm {
     /// The model angles within a quarter turn of `theta` that the joint reaches from there without leaving its range: first with
     /// the number of whole turns that leaves most room to both ends; second with the next number, where the range allows
     /// that too and it makes a difference.
-    fn within_a_quarter_turn(&self, joint: usize, theta: f64) -> (AngularInterval, Option<AngularInterval>) {
+    fn within_a_quarter_turn(&self, joint: usize, theta: f64) -> (Interval, Option<Interval>) {
         let range = self.geometry.theta(joint, self.limits.joints[joint]);
         let most = FRAC_PI_2 - self.reserve;
         let quarter = Interval::spanning(theta - most, theta + most);
         if !range.is_bounded() {
-            return (AngularInterval::of(quarter), None);
+            return (quarter, None);
         }
         let room = |turned: f64| range.affine(1.0, theta - turned).intersect(quarter).unwrap_or(quarter);
         let roomiest = theta + ((range.middle() - theta) / TAU).round() * TAU;
         let other = if roomiest < range.middle() { roomiest + TAU } else { roomiest - TAU };
         let has_other = range.contains(other, 0.0) && room(roomiest) != quarter;
-        (AngularInterval::of(room(roomiest)), has_other.then(|| AngularInterval::of(room(other))))
+        (room(roomiest), has_other.then(|| room(other)))
     }
 }
