@@ -172,7 +172,7 @@ pub struct Sketch {
 }
 
 /// Tables one below the other, and what stands below them.
-pub fn sheet(tables: impl IntoIterator<Item = Table>, notes: String) -> Vec<Piece> {
+pub fn tables_and_notes(tables: impl IntoIterator<Item = Table>, notes: String) -> Vec<Piece> {
     let tables = tables.into_iter().flat_map(|table| [Piece::Table(table), Piece::Break]);
     tables.chain([Piece::Lines(notes)]).collect()
 }

@@ -120,8 +120,8 @@ fn no_allowed_place_by_chance_is_better_than_what_is_proved_in_a_cell() {
     ];
     let mut rng = fastrand::Rng::with_seed(4);
     for (mount, pose, window, kept) in cases {
-        let told = |ranges: Ranges| ranges.map(|[a, b]| format!("{a}..{b}")).join(",");
-        let (within, free) = (told(window), kept.map(told));
+        let in_words = |ranges: Ranges| ranges.map(|[a, b]| format!("{a}..{b}")).join(",");
+        let (within, free) = (in_words(window), kept.map(in_words));
         let mut options = vec![("mount", mount), ("within", within.as_str())];
         options.extend(free.as_ref().map(|free| ("keep-out", free.as_str())));
         let answer = placed("rect:0.2x0.1", &options);

@@ -1,4 +1,4 @@
-//! Who is told apart from whom in a ranking, and how near a place comes to limits: against brute force and by hand.
+//! Who is distinguished from whom in a ranking, and how near a place comes to limits: against brute force and by hand.
 
 use stiffarm::catalogue::find;
 use stiffarm::interval::Interval;
@@ -60,7 +60,7 @@ fn nobody_is_advised_who_is_not_told_apart() {
     let open = answer(open, None);
     let told = &open.sentences()[0];
     assert!(told.contains("take KUKA KR 210 R2700 extra (payload 210 kg) for A:0.1"), "{told}");
-    assert!(told.contains("KR 210 R2700 extra") && told.contains("cannot be told apart on B:0.5"), "{told}");
+    assert!(told.contains("KR 210 R2700 extra") && told.contains("cannot be distinguished on B:0.5"), "{told}");
     assert!(!told.contains("for B:0.5"), "{told}");
     assert_eq!(open.json()["winners"][0]["told_apart"], false);
     assert_eq!(open.json()["winners"][0]["rivals"], serde_json::json!(["BT200L"]));
@@ -70,7 +70,9 @@ fn nobody_is_advised_who_is_not_told_apart() {
     // Where the tolerance is not kept, that is said first.
     let mut failing = open.clone();
     failing.tolerance_mm = Some(0.1);
-    assert!(failing.sentences()[0].contains("no robot is advised") && !failing.sentences()[0].contains("told apart"));
+    assert!(
+        failing.sentences()[0].contains("no robot is advised") && !failing.sentences()[0].contains("distinguished")
+    );
 }
 
 /// Points of a zone as it stands, in the arm plane from the joint-2 axis.

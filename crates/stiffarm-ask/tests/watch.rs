@@ -35,7 +35,7 @@ impl Waiting for Wants {
         self.told.load(Ordering::SeqCst) < self.most
     }
 
-    fn told(&self, done: usize, total: Option<usize>) {
+    fn progress(&self, done: usize, total: Option<usize>) {
         assert!(0 < done && total.is_none_or(|total| done <= total), "{done} of {total:?}");
         self.told.fetch_add(1, Ordering::SeqCst);
         self.total.store(total.unwrap_or(0), Ordering::SeqCst);

@@ -65,7 +65,7 @@ impl Waiting for Client {
         !self.is_gone.load(Ordering::Relaxed)
     }
 
-    fn told(&self, done: usize, total: Option<usize>) {
+    fn progress(&self, done: usize, total: Option<usize>) {
         let mut far = locked(&self.far);
         // Parts that end at once are told in any order; other parts begin anew.
         let done = if far.total == total { far.done.max(done) } else { done };
@@ -96,7 +96,7 @@ mod tests {
             ((8, None), (8, None)),
             ((2, Some(5)), (2, Some(5))),
         ] {
-            client.told(told.0, told.1);
+            client.progress(told.0, told.1);
             let Far { done, total, doing } = client.far();
             assert_eq!(((done, total), doing), (far, "milling"));
         }

@@ -36,7 +36,7 @@ fn main() -> ExitCode {
             Task::Serve(args) => serve::run(&args, &common),
             task => pool(&common).install(|| answer(&task, &common)),
         }),
-        Err(usage) => return told(&usage),
+        Err(usage) => return printed(&usage),
     };
     match outcome {
         // A reader that has seen enough, as in `| head`, is no failure.
@@ -82,7 +82,7 @@ fn pool(common: &Common) -> ThreadPool {
 }
 
 /// Prints help, or what is wrong with the arguments.
-fn told(usage: &clap::Error) -> ExitCode {
+fn printed(usage: &clap::Error) -> ExitCode {
     // Help goes to standard output: it must arrive. Errors go to standard error, where there is nowhere left to tell.
     match usage.print() {
         Err(error) if !usage.use_stderr() && error.kind() != ErrorKind::BrokenPipe => ExitCode::FAILURE,

@@ -103,7 +103,7 @@ impl Waiting for Shown<'_> {
         true
     }
 
-    fn told(&self, done: usize, total: Option<usize>) {
+    fn progress(&self, done: usize, total: Option<usize>) {
         if let Some(total) = total {
             self.is_known.call_once(|| {
                 self.bar.set_length(total as u64);

@@ -38,18 +38,21 @@ fn both_are_what_place_tells_of_each_and_their_ratio() {
     let value = |key: &str| both[key]["deflection_mm"].as_f64().unwrap();
     assert!((both["ratio"].as_f64().unwrap() - value("b") / value("a")).abs() < 1e-12);
     let bound = both["b"]["lower_bound_mm"].as_f64().unwrap();
-    assert!(value("a") < bound, "the values are told apart");
+    assert!(value("a") < bound, "the values are distinguished");
     assert_eq!((&both["told_apart"], &both["better"]), (&true.into(), &"a".into()));
     assert_eq!(both["differ_in"], serde_json::json!(["robot"]));
     let (_, table, _) = ran(folder.path(), &[&["compare", "KR 210 R2700 extra", "BT200L"], &asked[..]].concat());
     let line = |name: &str| table.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or(name).to_owned();
     assert!(line("worst deflection [mm]").contains(&format!("{:.4}", value("a"))), "{table}");
     assert!(line("worst deflection [mm]").contains(&format!("{:.4}", value("b"))), "{table}");
-    assert!(line("proved (drives as told)").contains("better"), "{table}");
+    assert!(line("proved (nominal stiffness)").contains("better"), "{table}");
     // Of drives that are assumed nobody knows how they may be off; of these the intervals overlap, and the one who is ahead is no sure choice.
     assert_eq!(both["win_probability"], Value::Null);
     assert!(
-        both["summary"][0].as_str().unwrap().starts_with("At the stiffness told A (KUKA KR 210 R2700 extra) is better")
+        both["summary"][0]
+            .as_str()
+            .unwrap()
+            .starts_with("At the nominal stiffness A (KUKA KR 210 R2700 extra) is better")
     );
     let scattered = [&["compare", "KR 210 R2700 extra", "BT200L", "--stiffness", "prior"], &asked[..]].concat();
     let scattered = json(folder.path(), &scattered);
@@ -79,7 +82,7 @@ fn a_robot_and_itself_cannot_be_told_apart() {
     let both = json(folder.path(), &["compare", "BT200L", "BT200L", "--task", "A:0.3"]);
     assert_eq!((&both["told_apart"], &both["better"]), (&false.into(), &Value::Null));
     assert_eq!((&both["ratio"], &both["differ_in"]), (&1.0.into(), &serde_json::json!([])));
-    assert!(both["summary"][0].as_str().unwrap().contains("cannot be told apart"));
+    assert!(both["summary"][0].as_str().unwrap().contains("cannot be distinguished"));
     assert_eq!(both["a"]["advice"], Value::Null, "no tolerance was given");
 }
 

@@ -176,10 +176,10 @@ fn verdicts_are_coloured_only_where_that_is_allowed() {
 #[test]
 fn a_stiffness_that_is_given_is_told_and_scales_the_answer() {
     let asked = ["place", "BT200L", "--task", "A:0.1", "--format", "json"];
-    let told = |more: &[&str]| -> serde_json::Value {
+    let answer = |more: &[&str]| -> serde_json::Value {
         serde_json::from_str(&ran(&[], &[&asked[..], more].concat()).out).expect("JSON")
     };
-    let (usual, softer) = (told(&[]), told(&["--drive-urad-per-nm", "2"]));
+    let (usual, softer) = (answer(&[]), answer(&["--drive-urad-per-nm", "2"]));
     assert_eq!((&usual["stiffness_source"], &softer["stiffness_source"]), (&"assumed".into(), &"given".into()));
     assert_eq!(softer["drive_urad_per_nm"], serde_json::json!(vec![2.0; 6]));
     // Deflections are linear in the compliance.
@@ -227,8 +227,8 @@ fn a_robot_that_is_shown_as_a_file_is_read_back_as_it_was() {
         let file = folder.path().join("robot.toml");
         let path = file.to_str().expect("a plain path");
         assert_eq!(ran(&[], &["robots", "show", name, "-o", path]).code, 0);
-        let told = |name: &str| ran(&[], &["robots", "show", name, "--format", "json"]).out;
-        assert_eq!(told(path), told(name));
+        let sheet = |name: &str| ran(&[], &["robots", "show", name, "--format", "json"]).out;
+        assert_eq!(sheet(path), sheet(name));
     }
     let shown = ran(&[], &["robots", "show", "IRB 6700-200/2.6"]).out;
     assert!(shown.contains("serial?") && shown.contains("serial?: no parallelogram is reported"), "{shown}");

@@ -102,7 +102,7 @@ fn over_a_zone_the_table_says_what_is_proved_and_what_is_sampled() {
     let (ok, out, err) = output(&[OVER, HELD, &["--count", "2"]]);
     assert!(ok, "{err}");
     for words in
-        ["proved to be at least", "5 % of such robots lie below", "points, at most", "not proved", "tool rolled by 0"]
+        ["proved to be at least", "5th percentile over draws", "points, at most", "not proved", "tool rolled by 0"]
     {
         assert!(out.contains(words), "{words}: {out}");
     }

@@ -41,11 +41,11 @@ pub(crate) fn verb(name: &str) -> PyResult<Verb> {
 
 /// An option as Python needs it: keyword, what it takes, the bounds of a whole number, whether it takes several, its default as it
 /// is typed, whether it must be given, and a line of help.
-type Told = (String, String, Option<(usize, usize)>, bool, Option<&'static str>, bool, String);
+type OptionRow = (String, String, Option<(usize, usize)>, bool, Option<&'static str>, bool, String);
 
 /// The options of a verb, in the order of help, but for those of the program's figures.
 #[pyfunction]
-pub(crate) fn options(verb: &str) -> PyResult<Vec<Told>> {
+pub(crate) fn options(verb: &str) -> PyResult<Vec<OptionRow>> {
     let told = self::verb(verb)?.settings().filter(|setting| !setting.is_of_figures()).map(|setting| {
         let bounds = if let Kind::Whole { min, max } = setting.kind { Some((min, max)) } else { None };
         let default = if let Absent::Default(text) = setting.absent { Some(text) } else { None };

@@ -12,7 +12,7 @@ use stiffarm::catalogue::{self, find, read, suggestions, write};
 use stiffarm::robot::{Arm, Robot as Arms};
 use stiffarm::toolpath::MOST_SAMPLES;
 use stiffarm::watch::Watch;
-use stiffarm_ask::answer::robot::{drive_urad_per_nm, sheet};
+use stiffarm_ask::answer::robot::{data_sheet, drive_urad_per_nm};
 use stiffarm_ask::answer::words;
 use stiffarm_ask::ask::{AskError, Context, selection};
 use stiffarm_ask::request::Verb;
@@ -41,7 +41,7 @@ pub(crate) struct Robot(pub(crate) Arms);
 
 impl Robot {
     fn key(&self, key: &str) -> Value {
-        sheet(&self.0)[key].clone()
+        data_sheet(&self.0)[key].clone()
     }
 }
 
@@ -184,7 +184,7 @@ impl Robot {
 
     /// Everything that is known of it, as ``stiffarm robots show --format json`` prints it.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &sheet(&self.0))
+        to_python(py, &data_sheet(&self.0))
     }
 
     /// The maker's name for it.

@@ -253,8 +253,8 @@ pub(crate) fn order(
         })
         .collect();
     let standings = stiffarm::rank::order(&contestants).into_iter();
-    let told = |Standing { at, rank, mean_ratio, .. }: Standing| {
+    let standing = |Standing { at, rank, mean_ratio, .. }: Standing| {
         (at, rank.map(|rank| rank.place), rank.map(|rank| rank.is_tied), mean_ratio)
     };
-    Ok(standings.map(told).collect())
+    Ok(standings.map(standing).collect())
 }

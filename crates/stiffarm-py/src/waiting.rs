@@ -16,14 +16,14 @@ const EVERY: Duration = Duration::from_millis(100);
 pub(crate) type Progress = Option<Py<PyAny>>;
 
 /// What the work tells from its threads, for the thread that called to pass on.
-struct Told {
+struct Progressed {
     done: AtomicUsize,
     /// 0 where it is not known.
     total: AtomicUsize,
     is_stopped: AtomicBool,
 }
 
-impl Told {
+impl Progressed {
     fn new() -> Self {
         Self { done: AtomicUsize::new(0), total: AtomicUsize::new(0), is_stopped: AtomicBool::new(false) }
     }
@@ -48,12 +48,12 @@ impl Told {
     }
 }
 
-impl Waiting for Told {
+impl Waiting for Progressed {
     fn is_wanted(&self) -> bool {
         !self.is_stopped.load(Ordering::Relaxed)
     }
 
-    fn told(&self, done: usize, total: Option<usize>) {
+    fn progress(&self, done: usize, total: Option<usize>) {
         self.take(done, total);
     }
 }
@@ -65,7 +65,7 @@ pub(crate) fn on_pool<T: Send>(
     progress: &Progress,
     work: impl FnOnce(Watch) -> T + Send,
 ) -> PyResult<T> {
-    let told = &Told::new();
+    let told = &Progressed::new();
     let (sender, receiver) = channel();
     let waited = py.detach(move || {
         pool.in_place_scope(|scope| {
@@ -94,7 +94,7 @@ pub(crate) fn on_pool<T: Send>(
 
 /// Work on the thread that calls: it looks about itself, from time to time.
 struct Alone<'a> {
-    told: Told,
+    told: Progressed,
     progress: &'a Progress,
     /// When it last did, and the exception that has stopped the work.
     looked: Mutex<(Instant, Option<PyErr>)>,
@@ -115,7 +115,7 @@ impl Waiting for Alone<'_> {
         looked.1.is_none()
     }
 
-    fn told(&self, done: usize, total: Option<usize>) {
+    fn progress(&self, done: usize, total: Option<usize>) {
         self.told.take(done, total);
     }
 }
@@ -126,7 +126,7 @@ pub(crate) fn alone<T: Send>(
     progress: &Progress,
     run: impl FnOnce(Watch) -> PyResult<T> + Send,
 ) -> PyResult<T> {
-    let alone = Alone { told: Told::new(), progress, looked: Mutex::new((Instant::now(), None)) };
+    let alone = Alone { told: Progressed::new(), progress, looked: Mutex::new((Instant::now(), None)) };
     let found = py.detach(|| run(Watch::of(&alone)));
     match alone.looked.into_inner().unwrap_or_else(PoisonError::into_inner).1 {
         Some(exception) => Err(exception),

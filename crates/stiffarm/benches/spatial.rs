@@ -16,7 +16,7 @@ use stiffarm::load::Load;
 use stiffarm::mass::RigidBody;
 use stiffarm::model::ModelKind;
 use stiffarm::modes::{HeldTool, SwingingArm};
-use stiffarm::place::{PlaceOptions, Stance, place};
+use stiffarm::place::{PlaceOptions, ToolOrientation, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
@@ -91,7 +91,8 @@ fn places(c: &mut Criterion) {
     let [ahead, across] = [0.8, 0.5];
     let zone = Zone::Rectangle { width: ahead, height: across };
     let model = ModelKind::Spatial(tool).of(&robot).expect("a six-axis robot");
-    let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(Load::PAPER) };
+    let options =
+        PlaceOptions { tool_orientation: Some(ToolOrientation::tool_down()), ..PlaceOptions::under(Load::PAPER) };
     let mut group = c.benchmark_group("place_in_space");
     group.sample_size(10);
     group

@@ -1,7 +1,7 @@
 //! What is missing where a tolerance is not kept, and what is left where it is: force, stiffness, size, and which drive.
 //!
 //! Force and stiffness follow from one placement, for every deflection grows with the force, and shrinks with the stiffness of all
-//! drives, in proportion: the best place stays the best. The largest zone is sought by placing smaller ones.
+//! drives, in proportion: the best place stays the best. The largest zone is searched for by placing smaller ones.
 
 use crate::load::Load;
 use crate::model::Model;
@@ -16,7 +16,7 @@ use crate::watch::Watch;
 pub const COMPENSATED: f64 = 0.8;
 /// Of a ranking so many robots get advice: the best of those that take a rank.
 pub const ADVISED: usize = 3;
-/// A zone is not sought smaller than this part of the size that was asked for.
+/// A zone is not searched for smaller than this part of the size that was asked for.
 pub const SMALLEST: f64 = 0.02;
 
 /// What a placement says against a tolerance.
@@ -49,7 +49,7 @@ pub struct AtPlace {
     pub compensated: f64,
 }
 
-/// The largest zone of a shape that keeps a tolerance, as far as that was sought.
+/// The largest zone of a shape that keeps a tolerance, as far as that was searched for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LargestZone {
     /// Its size as a part of the size that was asked for, and its deflection, m: it has a place that was found. `None` where the smallest that
@@ -105,7 +105,7 @@ pub fn advise(
     let zone = if passes {
         None
     } else {
-        Some(Sought { model, work, options, tolerance, watch: watch.of_part() }.largest(placed)?)
+        Some(ZoneSearch { model, work, options, tolerance, watch: watch.of_part() }.largest(placed)?)
     };
     let at_place = best.map(|best| AtPlace::of(model, best, options.load, tolerance)).transpose()?;
     Ok(Advice { tolerance, at_place, zone })
@@ -179,7 +179,7 @@ fn shares(model: &Model, best: &Placement, load: Load) -> Result<[Option<f64>; 6
     })
 }
 
-/// How finely the largest zone is sought, relative to its size, and how many zones are placed for that.
+/// How finely the largest zone is searched for, relative to its size, and how many zones are placed for that.
 fn effort(model: &Model, work: &Work) -> (f64, usize) {
     match (model, work) {
         (Model::Planar(_), _) => (1e-3, 30),
@@ -188,8 +188,8 @@ fn effort(model: &Model, work: &Work) -> (f64, usize) {
     }
 }
 
-/// The largest zone is sought for this.
-struct Sought<'a> {
+/// The largest zone is searched for for this.
+struct ZoneSearch<'a> {
     model: &'a Model,
     work: &'a Work,
     options: &'a PlaceOptions,
@@ -206,7 +206,7 @@ enum Tried {
     Fails(Option<f64>, bool),
 }
 
-impl Sought<'_> {
+impl ZoneSearch<'_> {
     /// Between the smallest size and the one that was asked for, which does not hold.
     fn largest(&self, placed: &Placed) -> Result<LargestZone, PlaceError> {
         let (resolution, most) = effort(self.model, self.work);

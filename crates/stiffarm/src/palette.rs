@@ -28,7 +28,7 @@ colours! {
     SERIAL, "serial" = "#e8893a";
     /// A quasi-serial robot among bars: cool.
     QUASI_SERIAL, "quasi_serial" = "#2c6fbb";
-    /// Robots that are not told apart beside the best.
+    /// Robots that are not distinguished beside the best.
     OTHERS, "others" = "#bdbdbd";
     /// What fills the marks of a robot whose numbers are estimated.
     ESTIMATED, "estimated" = PAPER;

@@ -103,7 +103,7 @@ impl Ranking {
     }
 
     /// Those that may be as good at a task as the best of published geometry, in their order: their proved bounds do not lie above its value.
-    /// Nobody where it is told apart.
+    /// Nobody where it is distinguished.
     pub fn rivals(&self, task: usize) -> Vec<&Row> {
         let Some((best, value)) = self.best_published(task).and_then(|best| Some((best, best.proved(task)?))) else {
             return Vec::new();

@@ -2,7 +2,7 @@
 
 mod best;
 
-use best::Stance;
+use best::SymmetricPlace;
 
 use crate::drive::Architecture;
 use crate::interval::Interval;
@@ -53,7 +53,7 @@ impl Contender {
     }
 
     fn accuracy_at(&self, zone: Zone, mu: f64) -> Option<f64> {
-        Stance::all(self, zone).filter_map(|stance| stance.accuracy(share(mu))).reduce(f64::min)
+        SymmetricPlace::all(self, zone).filter_map(|place| place.accuracy(share(mu))).reduce(f64::min)
     }
 
     fn best_among(&self, zone: Zone, ratios: Interval) -> Option<(f64, f64)> {
@@ -151,7 +151,7 @@ pub struct StudyOptions {
     pub sizes: Vec<f64>,
     /// Ratios `l3/l2` that are tabulated.
     pub ratios: Vec<f64>,
-    /// Ratios among which the best is sought.
+    /// Ratios among which the best is searched for.
     pub range: Interval,
     /// What is to be found among all this.
     pub mark: Option<Mark>,

@@ -1,7 +1,7 @@
 //! How sure is a deflection, and how sure is the order of robots, as far as the drives may be stiffer or softer than is taken?
 //!
 //! Factors on the compliances are drawn (`prior`), and the largest deflection is computed again over the points of the place that may then be the
-//! worst, of a part on all of its faces: places are not sought anew. Of forces that are known in part the worst is taken in every draw. What is wrong for all robots alike is the same in a draw of each, so it widens the interval of a deflection and
+//! worst, of a part on all of its faces: places are not searched again. Of forces that are known in part the worst is taken in every draw. What is wrong for all robots alike is the same in a draw of each, so it widens the interval of a deflection and
 //! leaves the order as it is. Of a robot that was measured, what its identification did not explain is added to every draw.
 
 use nalgebra::Matrix2;
@@ -21,11 +21,11 @@ const TIE: f64 = 0.05;
 /// Where a deflection lies with 90 %, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Five of a hundred are less.
+    /// 5th percentile.
     pub p05: f64,
-    /// Half of them are less: mostly more than the value at the drives as they are told, as a soft drive adds more than a stiff one takes away.
+    /// Half of them are less: mostly more than the value at the nominal stiffness, as a soft drive adds more than a stiff one takes away.
     pub median: f64,
-    /// Five of a hundred are more.
+    /// 95th percentile.
     pub p95: f64,
 }
 
@@ -52,7 +52,7 @@ fn below(count: usize, share: f64) -> usize {
     ((count - 1) as f64 * share).round() as usize
 }
 
-/// Deflections at a place that was found, m, draw by draw; `None` where nothing says how far the drives may be off, or the arm plane does not
+/// Deflections at a place that was found, m, draw by draw; `None` where the drive stiffness has no stated uncertainty, or the arm plane does not
 /// know the force.
 fn draws(robot: &Robot, load: Load, placed: &Placement) -> Option<Vec<f64>> {
     let factors = factors(robot, DRAWS)?;
@@ -118,12 +118,12 @@ pub fn share_within(draws: &[f64], bound: f64) -> f64 {
     draws.iter().filter(|value| **value <= bound).count() as f64 / draws.len() as f64
 }
 
-/// Where the deflection at a place lies with 90 %; `None` where nothing says how far the drives may be off.
+/// Where the deflection at a place lies with 90 %; `None` where the drive stiffness has no stated uncertainty.
 pub fn spread(robot: &Robot, load: Load, placed: &Placement) -> Option<Spread> {
     drawn(robot, load, placed).map(Spread::of)
 }
 
-/// Where what counts of the displacement of a posture under a load lies with 90 %, m; `None` where nothing says how far the drives may be off.
+/// Where what counts of the displacement of a posture under a load lies with 90 %, m; `None` where the drive stiffness has no stated uncertainty.
 pub fn of_posture(robot: &Robot, posture: &Posture, load: Load) -> Option<Spread> {
     let (parts, forces) = (posture.translations(), posture.forces(load));
     let moved = |factor: &[f64; 6]| load.newtons() * most_of(&parts, factor, Some(&forces));
@@ -143,7 +143,7 @@ pub struct Chances {
     pub ties: bool,
 }
 
-/// Of every row and task; `None` where a robot has no place, is estimated (it cannot win), or nothing says how far its drives may be off.
+/// Of every row and task; `None` where a robot has no place, is estimated (it cannot win), or the stiffness of its drives has no stated uncertainty.
 pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
     chances_of(ranking, &drawn_in(ranking))
 }

@@ -12,7 +12,7 @@ pub trait Waiting: Sync {
 
     /// How much of the work is done, in parts of about the same size, and how many there are, where that is known beforehand. From any
     /// thread; of parts that end at once the order is not kept.
-    fn told(&self, done: usize, total: Option<usize>);
+    fn progress(&self, done: usize, total: Option<usize>);
 }
 
 /// The work is no longer wanted.
@@ -91,7 +91,7 @@ impl Parts<'_> {
     pub fn one_more(&self) -> Result<(), Stopped> {
         self.watch.go_on()?;
         if let Some(waiting) = self.watch.waiting.filter(|_| !self.watch.is_part) {
-            waiting.told(self.done.fetch_add(1, Ordering::Relaxed) + 1, self.total);
+            waiting.progress(self.done.fetch_add(1, Ordering::Relaxed) + 1, self.total);
         }
         Ok(())
     }
@@ -111,7 +111,7 @@ mod tests {
             self.1.lock().unwrap().len() < self.0
         }
 
-        fn told(&self, done: usize, total: Option<usize>) {
+        fn progress(&self, done: usize, total: Option<usize>) {
             self.1.lock().unwrap().push((done, total));
         }
     }

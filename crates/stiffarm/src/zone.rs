@@ -120,7 +120,7 @@ impl Zone {
 
     /// How the zone can stand symmetrically about a ray from the joint-2 axis: its depth along the ray and half its
     /// width across; for a rectangle first with the first side along the ray, then across.
-    pub(crate) fn stances(self) -> impl Iterator<Item = (f64, f64)> {
+    pub(crate) fn symmetric_places(self) -> impl Iterator<Item = (f64, f64)> {
         let (along, across) = match self {
             Self::Circle { diameter } => ((diameter, 0.0), None),
             Self::Rectangle { width, height } => ((width, height / 2.0), Some((height, width / 2.0))),
@@ -130,7 +130,7 @@ impl Zone {
 
     /// The factor by which the zone may grow before not even a fully folding arm of `l2 + l3 = 1` holds it.
     pub fn largest_size(self) -> f64 {
-        self.stances().map(|(depth, half_width)| 1.0 / depth.hypot(half_width)).fold(0.0, f64::max)
+        self.symmetric_places().map(|(depth, half_width)| 1.0 / depth.hypot(half_width)).fold(0.0, f64::max)
     }
 
     /// The shape with the side lengths in mm, for people.

@@ -5,7 +5,7 @@ use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::part::Part;
-use stiffarm::place::{Orientation, PlaceOptions, Placement, Stance, Within, deflection_field, place};
+use stiffarm::place::{Orientation, PlaceOptions, Placement, ToolOrientation, Within, deflection_field, place};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
 use stiffarm::watch::Watch;
@@ -23,7 +23,12 @@ fn model() -> Model {
 
 fn asked(orientation: Orientation) -> PlaceOptions {
     let within = Some(Within { x: Interval::spanning(1.0, 2.2), z: Interval::spanning(0.5, 0.9) });
-    PlaceOptions { orientation, within, stance: Some(Stance::tool_down()), ..PlaceOptions::under(load()) }
+    PlaceOptions {
+        orientation,
+        within,
+        tool_orientation: Some(ToolOrientation::tool_down()),
+        ..PlaceOptions::under(load())
+    }
 }
 
 fn best(orientation: Orientation) -> Placement {
@@ -76,7 +81,7 @@ fn the_bound_of_a_round_face_holds_for_every_turn_of_its_part() {
         let placed = place(
             &model(),
             &part.clone().into(),
-            &PlaceOptions { stance: None, ..asked(orientation) },
+            &PlaceOptions { tool_orientation: None, ..asked(orientation) },
             Watch::nobody(),
         )
         .unwrap();

@@ -14,7 +14,7 @@ use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::part::{Face, Part};
 use stiffarm::place::{
-    Hold, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within, place,
+    Hold, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, ToolOrientation, Within, place,
 };
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
@@ -192,10 +192,15 @@ fn a_roll_that_is_given_turns_with_the_part() {
     let robot = &paper_robots()[2];
     let model = Model::spatial(robot, &spindle()).unwrap();
     for roll in [0.4, 2.0] {
-        let stance = Some(Stance { roll: Some(roll), ..Stance::tool_down() });
+        let tool_orientation = Some(ToolOrientation { roll: Some(roll), ..ToolOrientation::tool_down() });
         let placed = |orientation: Orientation| {
-            place(&model, &part.clone().into(), &PlaceOptions { stance, ..asked(orientation) }, Watch::nobody())
-                .unwrap()
+            place(
+                &model,
+                &part.clone().into(),
+                &PlaceOptions { tool_orientation, ..asked(orientation) },
+                Watch::nobody(),
+            )
+            .unwrap()
         };
         let free = placed(Orientation::Free);
         let bound = free.feasible().unwrap().lower_bound;
@@ -234,8 +239,9 @@ fn a_wall_that_faces_the_robot_is_a_part_of_one_side() {
     let model = Model::spatial(robot, &spindle()).unwrap();
     let options = asked(Orientation::Fixed(0.0));
     let part = place(&model, &part.clone().into(), &options, Watch::nobody()).unwrap();
-    let wall = Stance { yaw: Interval::point(0.0), ..Stance::tool_at(0.0) };
-    let flat = place(&model, &zone.into(), &PlaceOptions { stance: Some(wall), ..options }, Watch::nobody()).unwrap();
+    let wall = ToolOrientation { yaw: Interval::point(0.0), ..ToolOrientation::tool_at(0.0) };
+    let flat = place(&model, &zone.into(), &PlaceOptions { tool_orientation: Some(wall), ..options }, Watch::nobody())
+        .unwrap();
     let (part, flat) = (part.feasible().unwrap(), flat.feasible().unwrap());
     assert!((part.deflection - flat.deflection).abs() < 0.01 * flat.deflection, "{part:?} {flat:?}");
     // The part stands on the underside of what it is a wall of.

@@ -188,7 +188,7 @@ fn rapid_leads_the_tool_where_the_joints_put_it_and_says_in_which_quarters_joint
 fn configurations_are_those_that_a_person_sees() {
     let geometry = Geometry { offset: [0.0; 6], sign: [1.0; 6], ..kuka() };
     let setup = setup(&geometry);
-    let told = |deg: [f64; 6]| {
+    let of_angles = |deg: [f64; 6]| {
         let two = [[0.0; 6], deg].map(|deg| Station {
             line: 1,
             joints: deg.map(f64::to_radians),
@@ -203,14 +203,17 @@ fn configurations_are_those_that_a_person_sees() {
         (line[7..11].to_vec(), letters.split_once('\'').unwrap().0.to_owned())
     };
     // Upper arm up, forearm level ahead, tool down.
-    assert_eq!(told([10.0, 1.0, 89.0, 0.0, 90.0, 0.0]), (vec![0.0, 0.0, 0.0, 0.0], "N U T, 0, 0, 0".into()));
+    assert_eq!(of_angles([10.0, 1.0, 89.0, 0.0, 90.0, 0.0]), (vec![0.0, 0.0, 0.0, 0.0], "N U T, 0, 0, 0".into()));
     // The same with the wrist turned over.
-    assert_eq!(told([10.0, 1.0, 89.0, 180.0, -90.0, -100.0]), (vec![0.0, 2.0, -2.0, 1.0], "F U T, 0, 1, 0".into()));
+    assert_eq!(
+        of_angles([10.0, 1.0, 89.0, 180.0, -90.0, -100.0]),
+        (vec![0.0, 2.0, -2.0, 1.0], "F U T, 0, 1, 0".into())
+    );
     // Upper arm level ahead, forearm up and over it backwards: elbow in front, wrist behind the upper arm's line, still ahead.
-    let (quarters, letters) = told([-10.0, 100.0, -120.0, 0.0, 45.0, 200.0]);
+    let (quarters, letters) = of_angles([-10.0, 100.0, -120.0, 0.0, 45.0, 200.0]);
     assert_eq!((quarters, letters.as_str()), (vec![-1.0, 0.0, 2.0, 2.0], "N D T, 0, 0, 1"));
     // Both leaning back over the head: the wrist centre is behind axis 1, the elbow over the line to it.
-    let (quarters, letters) = told([-170.0, -60.0, -30.0, 0.0, 45.0, 0.0]);
+    let (quarters, letters) = of_angles([-170.0, -60.0, -30.0, 0.0, 45.0, 0.0]);
     assert_eq!((quarters, letters.as_str()), (vec![-2.0, 0.0, 0.0, 6.0], "N U B, 0, 0, 0"));
 }
 
@@ -443,7 +446,7 @@ fn heads_say_what_must_be_known_and_nothing_leaves_its_comment() {
 fn what_a_program_cannot_hold_is_refused_with_its_line() {
     let geometry = kuka();
     let (setup, good) = (setup(&geometry), stations(5, 9));
-    let told = |stations: &[Station], style: &Style, language: Language| -> String {
+    let program_of = |stations: &[Station], style: &Style, language: Language| -> String {
         write(language, &setup, stations, style).expect_err("it is wrong").to_string()
     };
     let with = |change: fn(&mut Station)| {
@@ -459,7 +462,7 @@ fn what_a_program_cannot_hold_is_refused_with_its_line() {
         (|s| s.joints[2] = f64::NAN, "line 4: joint 3 at NaN deg: expected a number of at most 2000 deg"),
         (|s| s.joints[5] = 1e5, "line 4: joint 6 at"),
     ] {
-        let found = told(&with(change), &style(), Language::Krl);
+        let found = program_of(&with(change), &style(), Language::Krl);
         assert!(found.starts_with(expected), "{found}");
     }
     let named = |name: &str| Style { name: name.into(), ..style() };
@@ -473,11 +476,11 @@ fn what_a_program_cannot_hold_is_refused_with_its_line() {
         (Style { moves_per_file: Some(1), ..style() }, "moves per file = 1: expected at least 2"),
         (Style { fanuc_letters: Some("N U\n".into()), ..style() }, "fanuc letters = N U\\n: expected one of N F"),
     ] {
-        let found = told(&good, &style, Language::Ls);
+        let found = program_of(&good, &style, Language::Ls);
         assert!(found.starts_with(expected), "{found}");
     }
     assert_eq!(
-        told(&good[..1], &style(), Language::Krl),
+        program_of(&good[..1], &style(), Language::Krl),
         "1 places of the robot; expected at least 2, from where to where"
     );
 }

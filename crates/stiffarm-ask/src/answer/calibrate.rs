@@ -32,9 +32,9 @@ impl CalibrateAnswer {
     /// As JSON.
     pub fn json(&self) -> Value {
         let found = &self.found;
-        let mm = |m: f64| Unit::Millimetre.told(m);
+        let mm = |m: f64| Unit::Millimetre.of_si(m);
         let errors = &found.errors;
-        let mrad = |x: f64| Unit::Milliradian.told(x);
+        let mrad = |x: f64| Unit::Milliradian.of_si(x);
         let weight = errors.weight.iter().zip(&found.deviations.weight);
         let intervals = weight.map(|(x, s)| json!([mrad(x - HALF * s), mrad(x + HALF * s)])).collect::<Value>();
         let by_terms = found.drives.is_none();
@@ -72,7 +72,7 @@ impl CalibrateAnswer {
             .put(field::ZERO_FOUND, self.zeros())
             .put(
                 field::FRAMES_FOUND,
-                self.frames().iter().map(|frame| json!(frame.map(|x| Unit::Millimetre.told(x)))).collect::<Value>(),
+                self.frames().iter().map(|frame| json!(frame.map(|x| Unit::Millimetre.of_si(x)))).collect::<Value>(),
             )
             .put(field::WEIGHT_FOUND, by_terms.then(|| json!(errors.weight.map(mrad))))
             .put(field::WEIGHT_INTERVALS, by_terms.then_some(intervals))
@@ -114,7 +114,7 @@ impl CalibrateAnswer {
     pub fn summary(&self) -> Table {
         let found = &self.found;
         let taken = found.taken();
-        let mm = |m: f64| fixed(Unit::Millimetre.told(m), 3);
+        let mm = |m: f64| fixed(Unit::Millimetre.of_si(m), 3);
         let by = if self.is_chosen { "by evidence" } else { "as asked" };
         let mut lines = vec![
             line("robot", self.robot.full_name()),
@@ -131,13 +131,13 @@ impl CalibrateAnswer {
             line("level", format!("{}, {by}; the rows show {} parameters", name(taken), fixed(taken.shown, 1))),
             line("error", format!("{} mm rms as drawn, {} mm calibrated", mm(found.levels[0].rms), mm(taken.rms))),
         ];
-        let degrees = self.zeros().map(|zero| fixed(Unit::Degree.told(zero), 4)).join(", ");
+        let degrees = self.zeros().map(|zero| fixed(Unit::Degree.of_si(zero), 4)).join(", ");
         lines.push(line("zeros", format!("{degrees} deg to be added to the joints as reported")));
         lines.push(line(
             "at the work",
             match &found.at_work {
                 Some(work) => format!(
-                    "{} mm rms expected as measured there, {} to {} with 95 %; 95 of a hundred points within {}; over {} postures, where the tracker finds the work",
+                    "{} mm rms expected as measured there, {} to {} with 95 %; 95th percentile {}; over {} postures, where the tracker finds the work",
                     mm(work.expected),
                     mm(work.interval[0]),
                     mm(work.interval[1]),
@@ -163,7 +163,7 @@ impl CalibrateAnswer {
             "log evidence",
         ]);
         for fit in &self.found.levels {
-            let mm = |m: f64| fixed(Unit::Millimetre.told(m), 3);
+            let mm = |m: f64| fixed(Unit::Millimetre.of_si(m), 3);
             table.row([
                 name(fit),
                 mm(fit.rms),
@@ -191,7 +191,7 @@ impl CalibrateAnswer {
         let mut table = Table::new(["line", "point", "off mm"]);
         for row in &self.found.wrong_rows {
             let which = if row.point == 0 { "all".into() } else { row.point.to_string() };
-            table.row([row.line.to_string(), which, fixed(Unit::Millimetre.told(row.distance), 2)]);
+            table.row([row.line.to_string(), which, fixed(Unit::Millimetre.of_si(row.distance), 2)]);
         }
         Some(table)
     }
@@ -200,7 +200,7 @@ impl CalibrateAnswer {
     pub fn notes(&self) -> String {
         let wrong = self.found.wrong_rows.iter().map(|row| {
             let which = if row.point == 0 { "all points".into() } else { format!("point {}", row.point) };
-            let distance = fixed(Unit::Millimetre.told(row.distance), 2);
+            let distance = fixed(Unit::Millimetre.of_si(row.distance), 2);
             format!("Line {}: {which} {distance} mm off, left out.\n", row.line)
         });
         let moved = self.moved().map(|moved| format!("{moved}\n"));
@@ -229,7 +229,7 @@ impl CalibrateAnswer {
     /// That the instrument seems to have moved, and what to do.
     pub fn moved(&self) -> Option<String> {
         let (line, far) = self.found.moved?;
-        let far = fixed(Unit::Millimetre.told(far), 2);
+        let far = fixed(Unit::Millimetre.of_si(far), 2);
         Some(format!(
             "From line {line} on all points stand {far} mm elsewhere, as if the tracker or the base had moved: a column that tells its stands apart, named by frame-by, gives each a frame of its own; else measure again."
         ))

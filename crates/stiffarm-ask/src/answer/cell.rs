@@ -15,7 +15,7 @@ use stiffarm::robot::Robot;
 
 /// The tool axis above the horizontal of the cell, rad, as it was asked.
 pub(super) fn elevation(options: &PlaceOptions) -> f64 {
-    let elevation = options.stance().elevation;
+    let elevation = options.tool_orientation().elevation;
     let Some(cell) = options.cell else { return elevation };
     let ((se, ce), (sa, ca)) = (elevation.sin_cos(), cell.azimuth.unwrap_or(0.0).sin_cos());
     let axis = cell.mount.cell_from_base.rotation * Vector3::new(ce * ca, ce * sa, se);
@@ -31,9 +31,9 @@ pub(super) fn lines(cell: &Cell, within: &Within) -> Vec<Line> {
     } else if windows.is_empty() {
         lines.push(line("allowed place", "anywhere above the cell's floor"));
     }
-    lines.extend(windows.iter().map(|window| line("allowed place", told_window(window))));
+    lines.extend(windows.iter().map(|window| line("allowed place", window_in_words(window))));
     let kept = cell.keep_out().enumerate();
-    lines.extend(kept.map(|(i, block)| line(format!("keep-out {}", i + 1), told_block(&block))));
+    lines.extend(kept.map(|(i, block)| line(format!("keep-out {}", i + 1), block_in_words(&block))));
     lines.extend(cell.clearance.map(|asked| line("clearance asked", format!("{} mm", fixed(asked * 1e3, 0)))));
     lines
 }
@@ -85,13 +85,13 @@ fn range(range: Interval) -> String {
     format!("{}..{}", end(range.min()), end(range.max()))
 }
 
-fn told_block(block: &Block) -> String {
+fn block_in_words(block: &Block) -> String {
     format!("x {} m, y {} m, z {} m in the cell", range(block.x), range(block.y), range(block.z))
 }
 
-fn told_window(window: &Window) -> String {
+fn window_in_words(window: &Window) -> String {
     match window {
-        Window::Block(block) => told_block(block),
+        Window::Block(block) => block_in_words(block),
         Window::Ring { ahead, z } => {
             format!("{} m from the joint-1 axis, z {} m in the cell", range(*ahead), range(*z))
         }

@@ -215,10 +215,10 @@ impl ChatterAnswer {
         let Self { chatter, .. } = self;
         let at =
             |edge: Option<Edge>| edge.map_or_else(String::new, |edge| format!(" at {} Hz", fixed(edge.frequency, 2)));
-        let told = |edge: Option<Edge>| format!("{} mm{}", millimetres(depth(edge)), at(edge));
+        let depth_of = |edge: Option<Edge>| format!("{} mm{}", millimetres(depth(edge)), at(edge));
         let is_drawn = !self.drawn().is_empty();
         let with = |edge: Option<Edge>, spread: DepthSpread| {
-            if is_drawn { format!("{}; 90 %: {}", told(edge), between(spread)) } else { told(edge) }
+            if is_drawn { format!("{}; 90 %: {}", depth_of(edge), between(spread)) } else { depth_of(edge) }
         };
         let cut = chatter.cut.milling.engagement;
         let degrees = |angle: f64| fixed(angle.to_degrees(), 1);
@@ -234,18 +234,18 @@ impl ChatterAnswer {
             line(format!("swings at {} rpm from", fixed(self.rpm(), 0)), with(chatter.at_speed, chatter.spread)),
             line("reserve", self.reserves()),
             line("at no speed below", with(chatter.any_speed, chatter.any_speed_spread)),
-            line("without the delay (Pan)", told(chatter.without_delay)),
+            line("without the delay (Pan)", depth_of(chatter.without_delay)),
         ];
         if let Some(phase) = chatter.tooth_phase() {
             lines.push(line("turn from tooth to tooth", format!("{} rad", fixed(phase, 3))));
         }
         lines.push(line("calm speeds", self.calm()));
-        lines.push(line("fed the other way, swings from", told(chatter.other_way)));
+        lines.push(line("fed the other way, swings from", depth_of(chatter.other_way)));
         if !chatter.robot_modes.is_empty() {
             lines.push(line("robot modes looked at", format!("{} Hz", tip::frequencies(&chatter.robot_modes))));
         }
         let measured = chatter.measured.as_ref().zip(self.measured.as_ref());
-        lines.extend(measured.map(|(looked, tip)| line("measured", tip::told(looked, &tip.file))));
+        lines.extend(measured.map(|(looked, tip)| line("measured", tip::described(looked, &tip.file))));
         lines.push(line("teeth", self.counted()));
         lines
     }
@@ -273,8 +273,8 @@ impl ChatterAnswer {
             None => "not known: counted tooth by tooth, depths at other speeds have no interval".into(),
             Some([]) => format!("none from {within} rpm: at each, fewer than 95 of 100 draws allow the cut"),
             Some(speeds) => {
-                let told = |[from, to]: &[f64; 2]| format!("{} to {}", fixed(*from, 0), fixed(*to, 0));
-                format!("{} rpm, of {within} rpm", speeds.iter().map(told).collect::<Vec<_>>().join(", "))
+                let range = |[from, to]: &[f64; 2]| format!("{} to {}", fixed(*from, 0), fixed(*to, 0));
+                format!("{} rpm, of {within} rpm", speeds.iter().map(range).collect::<Vec<_>>().join(", "))
             }
         }
     }
@@ -301,7 +301,7 @@ impl ChatterAnswer {
         let angles = joints_deg.map(|angle| angle.to_string()).join(", ");
         let mut notes = vec![
             format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
-            self.stiffness_told(),
+            self.stiffness_in_words(),
             format!("feed along {} from the base", vector(&self.feed().into(), 3)),
         ];
         notes.extend(self.basis());
@@ -336,7 +336,7 @@ impl ChatterAnswer {
         self.chatter.measured.as_ref().is_some_and(|measured| measured.held_by == HeldBy::Robot)
     }
 
-    fn stiffness_told(&self) -> String {
+    fn stiffness_in_words(&self) -> String {
         if self.robot_is_measured() {
             "stiffness, masses and damping: in what was measured; the model of the robot does not count".into()
         } else {

@@ -58,7 +58,7 @@ const LINES: [(&str, Says); 20] = [
     ("tolerance", |side| side.tolerance_mm.map(|tolerance| format!("{tolerance} mm"))),
     ("verdict", |side| {
         let verdict = side.verdict()?;
-        Some(format!("{}, margin {} mm", verdict.told(), fixed(verdict.margin_mm, 4)))
+        Some(format!("{}, margin {} mm", verdict.in_words(), fixed(verdict.margin_mm, 4)))
     }),
 ];
 
@@ -74,7 +74,7 @@ impl CompareAnswer {
         (0.0 < a).then_some(b / a)
     }
 
-    /// Which is better, the drives taken as they are told: its value lies below the other's proved bound, or it is proved that the other has no place.
+    /// Which is better, at the nominal stiffness: its value lies below the other's proved bound, or it is proved that the other has no place.
     pub fn better(&self) -> Option<usize> {
         let is_worse = |worse: usize, better: usize| {
             let Some(found) = self.sides[better].best() else { return false };
@@ -183,12 +183,12 @@ impl CompareAnswer {
         }
         row("deflection over that of A", [self.ratio().map(|_| "1".into()), self.ratio().map(|ratio| fixed(ratio, 3))]);
         let standing = |side: usize| match self.better() {
-            None => Some("cannot be told apart".to_owned()),
+            None => Some("cannot be distinguished".to_owned()),
             Some(better) if better == side => Some("better".into()),
             Some(_) => Some("worse".into()),
         };
         if self.best().iter().any(Option::is_some) {
-            row("proved (drives as told)", [standing(0), standing(1)]);
+            row("proved (nominal stiffness)", [standing(0), standing(1)]);
         }
         let share = |side: usize| self.chances().map(|chances| format!("{} of {DRAWS}", percent(chances[side])));
         row("stiffer (drives drawn)", [share(0), share(1)]);
@@ -205,24 +205,24 @@ impl CompareAnswer {
                 let told = format!("{} gives way {} times as far", called(1 - better), fixed(times, 3));
                 match self.chances() {
                     Some(share) if SURE <= share[better] => format!(
-                        "{} is better: {told}, which is proved at the stiffness told, and it is stiffer in {} of the draws of the drives.",
+                        "{} is better: {told}, which is proved at the nominal stiffness, and it is stiffer in {} of the draws of the drives.",
                         called(better),
                         percent(share[better])
                     ),
                     Some(share) => format!(
-                        "At the stiffness told {} is better, which is proved: {told}. By what is known of the drives {}: it is stiffer in {} of the draws.",
+                        "At the nominal stiffness {} is better, which is proved: {told}. By what is known of the drives {}: it is stiffer in {} of the draws.",
                         called(better),
                         if SURE <= share[1 - better] { "it is not" } else { "they tie" },
                         percent(share[better])
                     ),
-                    None => format!("At the stiffness told {} is better, which is proved: {told}.", called(better)),
+                    None => format!("At the nominal stiffness {} is better, which is proved: {told}.", called(better)),
                 }
             }
             (Some(better), None) => {
                 format!("{} is better: it is proved that {} has no place.", called(better), called(1 - better))
             }
             (None, Some(_)) => format!(
-                "{} and {} cannot be told apart: the proved interval of each ({}) reaches into that of the other.",
+                "{} and {} cannot be distinguished: the proved interval of each ({}) reaches into that of the other.",
                 called(0),
                 called(1),
                 self.best().map(|best| best.map_or_else(|| "-".into(), interval)).join(" and ")

@@ -84,7 +84,7 @@ impl ComplianceAnswer {
         record
     }
 
-    /// Where what counts of the translation lies with 90 %, as far as the drives may be off; `None` where nothing says how far.
+    /// Where what counts of the translation lies with 90 %, over draws of the drive stiffness; `None` where its uncertainty is not known.
     fn spread(&self) -> Option<Spread> {
         of_posture(&self.robot, &self.posture, self.load?)
     }
@@ -143,7 +143,7 @@ impl ComplianceAnswer {
             if let (false, Some(largest)) = (words::component(*load).is_empty(), self.largest()) {
                 lines.push(line(words::component(*load), format!("{:.4} mm", largest.value * load.newtons() * 1e3)));
             }
-            lines.extend(uncertainty::told(&self.robot, self.spread()));
+            lines.extend(uncertainty::row(&self.robot, self.spread()));
             lines.push(line("rotation", format!("{} mrad", vector(&(turned * 1e3), 4))));
             let shares = percentages(&posture.shares(&force.normalize()));
             lines.push(line("share of drives 1-6 along the force", shares));

@@ -38,8 +38,8 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// A number in SI as it is told; what is zero has no sign.
-    pub fn told(self, si: f64) -> f64 {
+    /// A number in SI in this unit; zero has no sign.
+    pub fn of_si(self, si: f64) -> f64 {
         match self {
             Self::One
             | Self::Metre
@@ -153,12 +153,12 @@ fields! {
     LARGEST_SCALE: "largest_feasible_scale", Kind::Number(Unit::One), "The largest scale at which a zone of this shape has a place.";
     DEFLECTION: "deflection_mm", Kind::Number(Unit::Millimetre), "The worst deflection in the zone at its best place.";
     LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No allowed place has less.";
-    DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less there; null where nothing says how they may be.";
-    DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "The median of drives as they may be; mostly more than with the drives as they are told, as a soft drive adds more than a stiff one takes away.";
-    DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
-    WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
+    DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is not known.";
+    DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes away.";
+    DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Their 95th percentile.";
+    WIN_PROBABILITY: "win_probability", Kind::Nested, "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, or the uncertainty of its drives is not known.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
-    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws of the drives, of each task; shared ranks are about the proof.";
+    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "Its deflection and that of the best robot overlap: neither is smaller in 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
@@ -209,9 +209,9 @@ fields! {
     HALVING: "halving", Kind::Number(Unit::One), "By how much the value grew when that distance was halved last, relative.";
     BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
-    PASS: "pass", Kind::Truth, "The tolerance is kept, the drives taken as they are told.";
+    PASS: "pass", Kind::Truth, "The tolerance is kept, at the nominal stiffness.";
     VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
-    PROBABILITY: "probability", Kind::Number(Unit::One), "How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be off; null where nothing is known of that.";
+    PROBABILITY: "probability", Kind::Number(Unit::One), "Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an identified model; null where neither uncertainty is known.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
     ADVICE: "advice", Kind::Nested, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";
     FORCE_FACTOR: "force_factor", Kind::Number(Unit::One), "So many times the force keeps the tolerance at this place, exactly; null where nothing gives way.";
@@ -234,9 +234,9 @@ fields! {
     FAILS_PROVED: "fails_proved", Kind::Truth, "That no place of that passes is proved.";
     TRIED: "tried", Kind::Count, "How many zones were placed for it.";
     RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
-    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof, the drives taken as they are told.";
+    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be distinguished from it by the proof, at the nominal stiffness.";
     TASK_RANK: "task_rank", Kind::Count, "The same for this task alone.";
-    TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof in this task.";
+    TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be distinguished from it by the proof in this task.";
     PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
     BOUND: "bound_mm", Kind::Number(Unit::Millimetre), "Deflection at the stiffest posture of the links.";
     MEAN_RATIO: "mean_ratio", Kind::Number(Unit::One), "How much worse than the best of each task, geometric mean.";
@@ -249,13 +249,13 @@ fields! {
     BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
-    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good, the drives taken as they are told.";
+    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good, at the nominal stiffness.";
     RIVALS: "rivals", Kind::Nested, "Robots of published geometry that may be as good as the best.";
     SETUP: "setup", Kind::Text, "a or b, of two that are compared.";
     SETUP_A: "a", Kind::Nested, "The first setup, as place tells it.";
     SETUP_B: "b", Kind::Nested, "The second setup.";
     SETUP_RATIO: "ratio", Kind::Number(Unit::One), "The deflection of the second over that of the first; null where one has no place.";
-    BETTER_SETUP: "better", Kind::Text, "Which of the two is better, a or b, which is proved at the stiffness told; null where they cannot be told apart.";
+    BETTER_SETUP: "better", Kind::Text, "Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be distinguished.";
     DIFFERENT: "differ_in", Kind::Nested, "What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance, place.";
     SUMMARY: "summary", Kind::Nested, "What a manager would read.";
     JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
@@ -288,10 +288,10 @@ fields! {
     POSTURE: "posture", Kind::Text, "The configuration that holds a point.";
     ZONE: "zone", Kind::Nested, "The best placement of the task that was given.";
     PAYLOAD: "payload_kg", Kind::Number(Unit::Kilogram), "Nominal payload.";
-    TOOL_MASS: "tool_mass_kg", Kind::Number(Unit::Kilogram), "Mass of the tool, where it was told: it is held against the payload and bends nothing.";
+    TOOL_MASS: "tool_mass_kg", Kind::Number(Unit::Kilogram), "Mass of the tool, where it was given: it is held against the payload and bends nothing.";
     OVERLOADED: "overloaded", Kind::Truth, "The tool and a mass that weighs as much as the force are more than the payload together; null where no payload is known.";
     WRIST_MOMENT: "wrist_moment_nm", numbers(Unit::Given("nm"), &["wrist_moment_4_nm", "wrist_moment_5_nm", "wrist_moment_6_nm"]),
-        "Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's weight where its mass centre was told, and in the spatial model of the force at the tool tip.";
+        "Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's weight where its mass centre was given, and in the spatial model of the force at the tool tip.";
     WRIST_LIMIT: "wrist_limit_nm", numbers(Unit::Given("nm"), &["wrist_limit_4_nm", "wrist_limit_5_nm", "wrist_limit_6_nm"]), "The largest that are allowed; null where the robot file has none.";
     WRIST_LIMIT_BY: "wrist_limit_by", Kind::Text, "What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the load even at rest.";
     WRIST_EXCEEDED: "wrist_exceeded", Kind::Truth, "A moment about axis 4, 5 or 6 is above its limit; null where no limit is known.";
@@ -305,13 +305,13 @@ fields! {
     MODES: "modes", Kind::Nested, "How the arm swings, the lowest frequency first.";
     MODE: "mode", Kind::Count, "Which mode, from 1.";
     FREQUENCY: "frequency_hz", Kind::Number(Unit::Given("hz")), "With the motors held still.";
-    FREQUENCY_P05: "frequency_hz_p05", Kind::Number(Unit::Given("hz")), "Five of a hundred such robots lie below, as far as the drives may be off; null where nothing says how far.";
-    FREQUENCY_P95: "frequency_hz_p95", Kind::Number(Unit::Given("hz")), "Five of a hundred lie above.";
+    FREQUENCY_P05: "frequency_hz_p05", Kind::Number(Unit::Given("hz")), "5th percentile over draws of the drive stiffness; null where its uncertainty is not known.";
+    FREQUENCY_P95: "frequency_hz_p95", Kind::Number(Unit::Given("hz")), "95th percentile.";
     FREQUENCY_FREE: "frequency_motors_free_hz", Kind::Number(Unit::Given("hz")), "Of the same rank with motors that only the inertia of their rotors holds; null where rotors are not known.";
     FIRST_FREQUENCY: "first_frequency_hz", Kind::Number(Unit::Given("hz")), "The first frequency at every point of a map, in its configuration and at its roll, motors held still; null where it was not asked for (quantity first-frequency).";
-    SLOWEST_P05: "slowest_hz_p05", Kind::Number(Unit::Given("hz")), "Of a hundred such robots five swing slower than this at the slowest point of the map, as far as the drives may be off; null where nothing says how far, and where frequencies are not mapped.";
-    FIRST_AT_LEAST: "first_at_least_hz", Kind::Number(Unit::Given("hz")), "Nowhere in the zone the first frequency is lower, motors held still: proved for the stiffness as it is told, and no promise where that is not measured; null where the proof did not end.";
-    FIRST_AT_LEAST_P05: "first_at_least_hz_p05", Kind::Number(Unit::Given("hz")), "The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved; null where nothing says how far.";
+    SLOWEST_P05: "slowest_hz_p05", Kind::Number(Unit::Given("hz")), "5th percentile, over draws of the drive stiffness, of the first frequency at the slowest point of the map; null where its uncertainty is not known, and where frequencies are not mapped.";
+    FIRST_AT_LEAST: "first_at_least_hz", Kind::Number(Unit::Given("hz")), "Nowhere in the zone the first frequency is lower, motors held still: proved at the nominal stiffness, and no promise where that is not measured; null where the proof did not end.";
+    FIRST_AT_LEAST_P05: "first_at_least_hz_p05", Kind::Number(Unit::Given("hz")), "5th percentile of the least first frequency over draws of the drive stiffness: drawn, not proved; null where its uncertainty is not known.";
     FREQUENCY_LEAST: "least_frequency_hz", Kind::Number(Unit::Given("hz")), "The least frequency of the points of the zone that were looked at, motors held still.";
     LEAST_AT: "least_at_m", numbers(Unit::Metre, &["least_x_m", "least_y_m", "least_z_m"]), "Where, from the base.";
     FREQUENCY_LARGEST: "largest_frequency_hz", Kind::Number(Unit::Given("hz")), "The largest frequency of the points of the zone that were looked at.";
@@ -324,13 +324,13 @@ fields! {
     MASSES_LEFT_OUT: "masses_left_out", Kind::Nested, "Moving parts whose masses the robot file does not have.";
     CUT_DEPTH: "cut_depth_mm", Kind::Number(Unit::Millimetre), "Axial depth of the cut, as the process has it.";
     CRITICAL_DEPTH: "critical_depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings with the robot at the speed of the spindle; null where none up to 300 mm does.";
-    CRITICAL_DEPTH_P05: "critical_depth_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred such robots swing at less, as far as drives and damping may be off; null beyond 300 mm.";
-    CRITICAL_DEPTH_P95: "critical_depth_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred swing at more alone; null beyond 300 mm.";
+    CRITICAL_DEPTH_P05: "critical_depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of drive stiffness and damping; null beyond 300 mm.";
+    CRITICAL_DEPTH_P95: "critical_depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile; null beyond 300 mm.";
     CHATTER_FREQUENCY: "chatter_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
     TOOTH_PHASE: "tooth_phase_rad", Kind::Number(Unit::Given("rad")), "By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives.";
     ANY_SPEED_DEPTH: "any_speed_depth_mm", Kind::Number(Unit::Millimetre), "Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does.";
-    ANY_SPEED_DEPTH_P05: "any_speed_depth_mm_p05", Kind::Number(Unit::Millimetre), "Of five of a hundred such robots it is less.";
-    ANY_SPEED_DEPTH_P95: "any_speed_depth_mm_p95", Kind::Number(Unit::Millimetre), "Of five of a hundred it is more.";
+    ANY_SPEED_DEPTH_P05: "any_speed_depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over the same draws.";
+    ANY_SPEED_DEPTH_P95: "any_speed_depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
     ANY_SPEED_FREQUENCY: "any_speed_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
     OTHER_WAY_DEPTH: "other_way_depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at the speed of the spindle where the cut is fed the other way, up for down; null where none up to 300 mm does.";
     OTHER_WAY_FREQUENCY: "other_way_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
@@ -350,8 +350,8 @@ fields! {
     DEPTH_RESERVE: "depth_reserve", Kind::Number(Unit::One), "The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up to 300 mm does.";
     LOBES: "lobes", Kind::Nested, "By the speed of the spindle: the least depth that swings.";
     LOBE_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at a speed; null where none up to 300 mm does.";
-    LOBE_DEPTH_P05: "depth_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred such robots swing at less; null beyond 300 mm, and where teeth are counted one by one.";
-    LOBE_DEPTH_P95: "depth_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred swing at more alone.";
+    LOBE_DEPTH_P05: "depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of drive stiffness and damping; null beyond 300 mm, and where teeth are counted one by one.";
+    LOBE_DEPTH_P95: "depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
     MASS: "mass_kg", Kind::Number(Unit::Kilogram), "Mass of the arm.";
     REPEATABILITY: "repeatability_mm", Kind::Number(Unit::Millimetre), "Repeatability by the data sheet.";
     SOURCE: "source", Kind::Text, "Where it is published.";
@@ -495,10 +495,10 @@ fields! {
     CELL_ORIGIN: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "Where the path's origin stands in the axes of the cell, its floor at 0; null without a cell.";
     CELL_YAW: "cell_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical from the cell's x axis; null without a cell.";
     PATH_WORST: "worst_mm", Kind::Number(Unit::Millimetre), "The largest error along the path.";
-    PATH_WORST_P05: "worst_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing says how they may be.";
-    PATH_WORST_P50: "worst_mm_p50", Kind::Number(Unit::Millimetre), "The median.";
-    PATH_WORST_P95: "worst_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
-    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, through the pins where there are some, and where the place was sought no place, have less.";
+    PATH_WORST_P05: "worst_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of the drive stiffness, in the postures of the answer; null where the uncertainty of the drives is not known.";
+    PATH_WORST_P50: "worst_mm_p50", Kind::Number(Unit::Millimetre), "Median.";
+    PATH_WORST_P95: "worst_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
+    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, through the pins where there are some, and where the place was searched for no place, have less.";
     ROLL_LOWER_BOUND: "roll_lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of that mode have less at this place.";
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
@@ -529,9 +529,9 @@ fields! {
     LARGEST_CORRECTION: "largest_correction_mm", Kind::Number(Unit::Millimetre), "By how much a tip is led aside at most.";
     LEFT_BY_JOINTS: "left_by_joints_mm", Kind::Number(Unit::Millimetre), "The largest error that is left by the model where joints, or whole poses, are commanded.";
     LEFT_BY_TIPS: "left_by_tips_mm", Kind::Number(Unit::Millimetre), "The same where tips alone are, the tool turned as in the path; null where one is not reached.";
-    LEFT_MEDIAN: "left_median_mm", Kind::Number(Unit::Millimetre), "Half of the draws of the drives leave less; null where nothing says how far they may be off.";
-    LEFT_P95: "left_p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred draws leave less.";
-    UNCERTAIN: "uncertainty", Kind::Text, "Who says how far the drives may be off.";
+    LEFT_MEDIAN: "left_median_mm", Kind::Number(Unit::Millimetre), "Median over draws of the drive stiffness; null where its uncertainty is not known.";
+    LEFT_P95: "left_p95_mm", Kind::Number(Unit::Millimetre), "95th percentile over these draws.";
+    UNCERTAIN: "uncertainty", Kind::Text, "The source of the uncertainty of the drive stiffness.";
     BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
     WORK_FRAME: "work_frame", Kind::Text, "How the place of the work was found: measured or touched; null where nothing is followed.";
     TRUE_ARM: "true_arm", Kind::Nested, "The largest error of the calibrated arm, geometry and load together; null of an arm that was not calibrated.";
@@ -540,7 +540,7 @@ fields! {
     BY_GEOMETRY: "by_geometry_mm", Kind::Number(Unit::Millimetre), "Where the geometry alone is.";
     BY_BOTH: "by_both_mm", Kind::Number(Unit::Millimetre), "Where both are, by the model; null under a force that may point anywhere.";
     CALIBRATION_LEFT: "calibration_left_mm", Kind::Number(Unit::Millimetre), "What the calibration leaves where it was not measured, rms.";
-    ARM_ERROR: "arm_error", Kind::Nested, "The largest geometric error along the path of arms that nobody has calibrated: half and 95 of a hundred err by less; null of one that was.";
+    ARM_ERROR: "arm_error", Kind::Nested, "The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile; null of one that was calibrated.";
     SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
     SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
     VERIFIED: "verified", Kind::Truth, "The readings agree with the robot file, and with no other way of counting the joints.";
@@ -565,8 +565,8 @@ fields! {
     OWN_WEIGHT: "own_weight", Kind::Text, "How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the compliance of each drive (`drives`) as all that is unknown; null of levels without it.";
     LEVELS: "levels", Kind::Nested, "Every level: what it leaves.";
     NOMINAL_RMS: "nominal_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances of the arm as drawn.";
-    MEDIAN_OFF: "median_mm", Kind::Number(Unit::Millimetre), "Half of the distances are less.";
-    P95_OFF: "p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred distances are less.";
+    MEDIAN_OFF: "median_mm", Kind::Number(Unit::Millimetre), "Median of the distances.";
+    P95_OFF: "p95_mm", Kind::Number(Unit::Millimetre), "95th percentile of the distances.";
     LEFT_OUT_RMS: "left_out_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances that are predicted where a third of a joint's range is left out; null where none can be.";
     EVIDENCE: "log_evidence", Kind::Number(Unit::One), "Logarithm of the marginal likelihood, up to what all levels share.";
     SHOWN: "shown", Kind::Number(Unit::One), "How many parameters the rows show: the trace of one less posterior over prior.";
@@ -581,7 +581,7 @@ fields! {
     BY_COUNT: "by_count", Kind::Nested, "What so many postures leave, each chosen after those before.";
     POSTURE_COUNT: "postures", Kind::Count, "So many.";
     WORK_INTERVAL: "ci95_mm", numbers(Unit::Millimetre, &["ci95_low_mm", "ci95_high_mm"]), "Where that root mean square lies with 95 %.";
-    WORK_P95: "work_p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred points at the work are off by less.";
+    WORK_P95: "work_p95_mm", Kind::Number(Unit::Millimetre), "95th percentile of the error at the work.";
     AT_WORK: "at_work", Kind::Nested, "The error that remains at the work: expected, with its interval, and over how many postures; null where the arm does not reach it.";
     WORK_POSTURES: "postures", Kind::Count, "Postures over which it is told.";
     ZERO_FOUND: "zero_deg", numbers(Unit::Degree, &["zero_1_deg", "zero_2_deg", "zero_3_deg", "zero_4_deg", "zero_5_deg", "zero_6_deg"]), "What is to be added to each reported angle.";
@@ -641,7 +641,7 @@ mod tests {
             (Unit::Metre, 1.5, 1.5),
             (Unit::MillimetrePerMinute, 0.01, 600.0),
         ] {
-            assert!((unit.told(si) - told).abs() < 1e-12, "{unit:?}");
+            assert!((unit.of_si(si) - told).abs() < 1e-12, "{unit:?}");
         }
     }
 }

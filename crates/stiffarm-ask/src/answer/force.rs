@@ -97,15 +97,15 @@ mod tests {
 
     #[test]
     fn a_force_is_told_as_a_machinist_gives_it() {
-        let told = |load: Result<Load, _>| force(load.unwrap());
-        assert_eq!(told(Load::worst(400.0)), "400 N in its worst direction");
+        let in_words = |load: Result<Load, _>| force(load.unwrap());
+        assert_eq!(in_words(Load::worst(400.0)), "400 N in its worst direction");
         let milling = Load::along_tool([300.0, 100.0, 50.0], None);
-        assert_eq!(told(milling.clone()), "300 N along the feed, 100 N across, 50 N axial; feed any way");
+        assert_eq!(in_words(milling.clone()), "300 N along the feed, 100 N across, 50 N axial; feed any way");
         let fed = Load::along_tool([300.0, 0.0, 0.0], Some(30_f64.to_radians()));
-        assert_eq!(told(fed), "300 N along the feed; feed at 30 deg from the first side");
+        assert_eq!(in_words(fed), "300 N along the feed; feed at 30 deg from the first side");
         let drilling = Load::along_tool([0.0, 0.0, 800.0], None).unwrap().with_cone(10_f64.to_radians());
-        assert_eq!(told(drilling), "800 N axial, or within 10 deg of that");
-        assert_eq!(told(Load::along_base([100.0, 0.0, -50.0])), "100 N ahead, -50 N up");
+        assert_eq!(in_words(drilling), "800 N axial, or within 10 deg of that");
+        assert_eq!(in_words(Load::along_base([100.0, 0.0, -50.0])), "100 N ahead, -50 N up");
         assert_eq!(
             mapped(milling.unwrap().counting(Component::Normal)),
             "deflection normal to the face under 300 N along the feed, 100 N across, 50 N axial; feed any way"

@@ -72,7 +72,7 @@ impl IdentifyAnswer {
         drives.map(|(drive, estimate)| {
             let mut record = Record::new();
             record.put(field::SPRING, drive + 1);
-            record.extend(told(estimate, &self.found));
+            record.extend(record_of(estimate, &self.found));
             record
         })
     }
@@ -85,7 +85,7 @@ impl IdentifyAnswer {
                 if let Spring::Region(region) = estimate.spring { Some(self.found.regions[region]) } else { None };
             let mut record = Record::new();
             record.put(field::SPRING_NAME, estimate.spring.name()).put(field::REGION, region);
-            record.extend(told(estimate, &self.found));
+            record.extend(record_of(estimate, &self.found));
             record
         })
     }
@@ -93,7 +93,7 @@ impl IdentifyAnswer {
     /// What is found of a gravity compensator.
     fn compensator(&self) -> impl Iterator<Item = Record> + '_ {
         self.found.estimates.iter().filter(|estimate| !estimate.spring.is_compliance()).map(|estimate| {
-            let (unit, factor) = told_in(estimate.spring);
+            let (unit, factor) = unit_of(estimate.spring);
             let why = estimate.unknown.as_ref().map(|why| in_words(why, &self.found));
             let mut record = Record::new();
             record
@@ -215,15 +215,15 @@ impl IdentifyAnswer {
         ];
         let mut table = Table::new(headings).with_room(1, &["Huber urad/(N m)", "stiffness MN m/rad"]);
         for estimate in &self.found.estimates {
-            let (unit, factor) = told_in(estimate.spring);
+            let (unit, factor) = unit_of(estimate.spring);
             let urad = |k: f64| digits(k * factor, 3).to_string();
             let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".into());
             let relative = estimate
                 .compliance
                 .zip(estimate.standard_error)
                 .map(|(k, error)| format!("{} %", fixed(100.0 * error / k, 0)));
-            let sought = estimate.compliance.filter(|k| estimate.spring.is_compliance() && 0.0 < *k);
-            let stiffness = sought.map(f64::recip);
+            let compliance = estimate.compliance.filter(|k| estimate.spring.is_compliance() && 0.0 < *k);
+            let stiffness = compliance.map(f64::recip);
             let says = estimate
                 .unknown
                 .as_ref()
@@ -327,12 +327,12 @@ impl IdentifyAnswer {
         let mut table = Table::new(["row", "posture", "moved [mm]", "not explained [mm]", "beyond the others"]);
         for outlier in &found.outliers {
             let of_row = found.residuals.iter().find(|one| one.row == outlier.row);
-            let told = |value: &dyn Fn(&Residual) -> String| of_row.map_or_else(|| "-".into(), value);
+            let cell = |value: &dyn Fn(&Residual) -> String| of_row.map_or_else(|| "-".into(), value);
             table.row([
                 outlier.row.to_string(),
-                told(&|one| (one.posture + 1).to_string()),
-                told(&|one| mm(one.moved.norm())),
-                told(&|one| mm(one.after.norm())),
+                cell(&|one| (one.posture + 1).to_string()),
+                cell(&|one| mm(one.moved.norm())),
+                cell(&|one| mm(one.after.norm())),
                 format!("{} sigma", fixed(outlier.ratio, 1)),
             ]);
         }
@@ -383,7 +383,7 @@ pub(super) fn springing(model: Springs) -> &'static str {
 }
 
 /// In which unit a spring is told, and how many of it are one in SI.
-const fn told_in(spring: Spring) -> (&'static str, f64) {
+const fn unit_of(spring: Spring) -> (&'static str, f64) {
     match spring {
         Spring::Compensator => ("N/mm", 1e-3),
         Spring::Preload => ("N", 1.0),
@@ -392,7 +392,7 @@ const fn told_in(spring: Spring) -> (&'static str, f64) {
 }
 
 /// What is told of a spring besides its name.
-fn told(estimate: &Estimate, found: &Identification) -> Record {
+fn record_of(estimate: &Estimate, found: &Identification) -> Record {
     let why = estimate.unknown.as_ref().map(|why| in_words(why, found));
     let mut record = Record::new();
     record

@@ -118,9 +118,9 @@ impl PlaceAnswer {
 
     /// The tool points down in the cell.
     fn is_met_from_above(&self) -> bool {
-        let stance = self.options.stance();
+        let tool_orientation = self.options.tool_orientation();
         let up = self.options.cell.map_or(1.0, |cell| cell.mount.uprightness());
-        self.model != ModelKind::Planar && stance.is_vertical() && stance.elevation * up < 0.0
+        self.model != ModelKind::Planar && tool_orientation.is_vertical() && tool_orientation.elevation * up < 0.0
     }
 
     /// The zone may stand in one place only: its window is no larger than itself.
@@ -160,7 +160,7 @@ impl PlaceAnswer {
             }
             Some(hold) => {
                 let work = WorkPlacement { x, y: 0.0, z, yaw: hold.yaw, angle: best.angle, roll: hold.roll };
-                let plane = WorkPlane::of(self.options.stance().elevation, &work);
+                let plane = WorkPlane::of(self.options.tool_orientation().elevation, &work);
                 corners.iter().map(|&at| plane.point(&work, at)).collect()
             }
         }
@@ -266,7 +266,7 @@ mod tests {
     use stiffarm::cell::Mount;
     use stiffarm::load::Load;
     use stiffarm::part::Part;
-    use stiffarm::place::{PlaceOptions, Stance, place};
+    use stiffarm::place::{PlaceOptions, ToolOrientation, place};
     use stiffarm::spatial::Pose;
     use stiffarm::task::Task;
     use stiffarm::toolpath::Builtin;
@@ -343,7 +343,7 @@ mod tests {
         assert!(placed("circle:0.2", spindle).stand_of_path().is_some());
         // A zone of the arm plane lies nowhere flat, and one that is met from below is no ground for a path.
         assert_eq!(placed("rect:0.4x0.6", ModelKind::Planar).stand_of_path(), None);
-        answer.options.stance = Some(Stance::tool_at(FRAC_PI_2));
+        answer.options.tool_orientation = Some(ToolOrientation::tool_at(FRAC_PI_2));
         assert_eq!(answer.stand_of_path(), None);
     }
 

@@ -49,12 +49,12 @@ impl Layer<'_> {
 
     fn row(&self, j: usize) -> impl Iterator<Item = Option<f64>> {
         let unit = self.field.unit().unwrap_or(Unit::One);
-        self.grid.row(j).map(move |cell| cell.map(|value| unit.told(value)))
+        self.grid.row(j).map(move |cell| cell.map(|value| unit.of_si(value)))
     }
 
     fn at(&self, i: usize, j: usize) -> Cell {
         let unit = self.field.unit().unwrap_or(Unit::One);
-        self.grid.get(i, j).map_or(Cell::Absent, |value| Cell::Number(unit.told(value)))
+        self.grid.get(i, j).map_or(Cell::Absent, |value| Cell::Number(unit.of_si(value)))
     }
 }
 
@@ -243,8 +243,8 @@ impl MapAnswer {
             lines.push(line(name, says));
         }
         if let Some(spread) = slowest {
-            let says = format!("{:.2} Hz at the slowest point, as the drives may be off", spread.p05);
-            lines.push(line("5 of 100 such robots lie below", says));
+            let says = format!("{:.2} Hz at the slowest point, over draws of the drive stiffness", spread.p05);
+            lines.push(line("5th percentile", says));
         }
         lines
     }
@@ -276,7 +276,7 @@ fn held_cells(margins: &Margins, i: usize, j: usize) -> [Cell; 4] {
             Cell::Text(held.shoulder.name().into()),
             Cell::Text(held.elbow.name().into()),
             Cell::Text(held.wrist.name().into()),
-            Cell::Number(Unit::Degree.told(roll)),
+            Cell::Number(Unit::Degree.of_si(roll)),
         ],
     }
 }
@@ -331,7 +331,7 @@ impl Serialize for CellsOfRow<'_> {
             Cells::Configurations(margins) => serializer
                 .collect_seq(margins.row(j).map(|held| held.map(|(configuration, _)| configuration.to_string()))),
             Cells::Rolls(margins) => {
-                serializer.collect_seq(margins.row(j).map(|held| held.map(|(_, roll)| Unit::Degree.told(roll))))
+                serializer.collect_seq(margins.row(j).map(|held| held.map(|(_, roll)| Unit::Degree.of_si(roll))))
             }
         }
     }

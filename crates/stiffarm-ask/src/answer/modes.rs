@@ -59,12 +59,12 @@ impl ModesAnswer {
             .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
             .put(field::DAMPING_SOURCE, self.damping_source())
             .put(field::MASSES_LEFT_OUT, json!(left_out(robot)))
-            .put(field::MODES, self.told().map(|mode| mode.json()).collect::<Value>());
+            .put(field::MODES, self.records().map(|mode| mode.json()).collect::<Value>());
         record
     }
 
     /// Each mode.
-    fn told(&self) -> impl Iterator<Item = Record> + '_ {
+    fn records(&self) -> impl Iterator<Item = Record> + '_ {
         self.modes().iter().enumerate().map(|(rank, mode)| {
             let mut record = Record::new();
             record
@@ -87,7 +87,7 @@ impl ModesAnswer {
 
     /// A row a mode, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.told().collect::<Vec<_>>())
+        Rows::of(&self.records().collect::<Vec<_>>())
     }
 
     /// For people.
@@ -133,7 +133,7 @@ impl ModesAnswer {
         ];
         notes.extend(left_out_note(robot));
         if swing.modes.iter().all(|mode| mode.spread.is_none()) {
-            notes.push("nothing says how far the drives may be off, and with them the frequencies".into());
+            notes.push("the drive stiffness has no stated uncertainty, so the frequencies have no interval".into());
         }
         notes.push("base axes: x forward, y left, z up; bearings, links and base rigid".into());
         notes.join("\n") + "\n"

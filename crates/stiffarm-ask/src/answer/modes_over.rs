@@ -39,7 +39,7 @@ impl ModesOverAnswer {
         &self.over.modes[..self.count.min(self.over.modes.len())]
     }
 
-    /// The proved least first frequency of five of a hundred such robots, as far as draws at the point of the least tell, Hz.
+    /// 5th percentile of the least first frequency, by draws of the drive stiffness at the point of the least, Hz.
     fn first_at_least_p05(&self) -> Option<f64> {
         let first = self.over.modes.first()?;
         Some(first.spread?.p05 * (self.over.first_at_least? / first.least))
@@ -59,7 +59,7 @@ impl ModesOverAnswer {
             .put(field::MODEL, "spatial")
             .put(field::TASK, &task.label)
             .put(field::TOOL, tool_mm(&tool.flange_from_tool))
-            .put(field::TOOL_DIRECTION, asked_degrees(options.stance().elevation))
+            .put(field::TOOL_DIRECTION, asked_degrees(options.tool_orientation().elevation))
             .put(field::X, best.centre[0])
             .put(field::Z, best.centre[1])
             .put(field::BEARING, hold.map(|hold| hold.bearing))
@@ -79,12 +79,12 @@ impl ModesOverAnswer {
             .put(field::ZONE_PARTS, over.parts)
             .put(field::SAMPLES, over.points)
             .put(field::SAMPLE_STEP, over.step)
-            .put(field::MODES, self.told().map(|mode| mode.json()).collect::<Value>());
+            .put(field::MODES, self.records().map(|mode| mode.json()).collect::<Value>());
         record
     }
 
     /// Each mode.
-    fn told(&self) -> impl Iterator<Item = Record> + '_ {
+    fn records(&self) -> impl Iterator<Item = Record> + '_ {
         self.modes().iter().enumerate().map(|(rank, mode)| {
             let mut record = Record::new();
             record
@@ -106,7 +106,7 @@ impl ModesOverAnswer {
 
     /// A row a mode, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.told().collect::<Vec<_>>())
+        Rows::of(&self.records().collect::<Vec<_>>())
     }
 
     /// For people.
@@ -134,11 +134,11 @@ impl ModesOverAnswer {
             return format!("first frequency: nothing is proved ({} parts of the zone)", self.over.parts);
         };
         let drawn = self.first_at_least_p05().map_or_else(
-            || "nothing says how far the drives may be off".into(),
-            |p05| format!("5 % of such robots lie below {} Hz, as far as the drives may be off", fixed(p05, 2)),
+            || "the drive stiffness has no stated uncertainty".into(),
+            |p05| format!("5th percentile over draws of the drive stiffness: {} Hz", fixed(p05, 2)),
         );
         format!(
-            "first frequency: proved to be at least {} Hz in all of the zone ({} parts) for the stiffness told; {drawn}",
+            "first frequency: proved to be at least {} Hz in all of the zone ({} parts) at the nominal stiffness; {drawn}",
             fixed(first, 2),
             self.over.parts
         )
@@ -161,7 +161,7 @@ impl ModesOverAnswer {
                 "zone: {} ({}), {}; its middle at x {} m, z {} m from the base",
                 task.label,
                 task.work.describe(),
-                direction(options.stance().elevation),
+                direction(options.tool_orientation().elevation),
                 fixed(x, 3),
                 fixed(z, 3)
             ),

@@ -138,9 +138,9 @@ impl PathAnswer {
 
 /// Tools and where each first feeds.
 pub(super) fn tools(found: &[(Option<u32>, usize)]) -> String {
-    let told = |(tool, line): &(Option<u32>, usize)| match tool {
+    let named = |(tool, line): &(Option<u32>, usize)| match tool {
         Some(number) => format!("T{number} from line {line}"),
         None => format!("no tool named from line {line}"),
     };
-    found.iter().map(told).collect::<Vec<_>>().join(", ")
+    found.iter().map(named).collect::<Vec<_>>().join(", ")
 }

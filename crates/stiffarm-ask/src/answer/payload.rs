@@ -74,12 +74,12 @@ impl Payload {
     }
 
     /// `210 kg; tool of 25 kg, and a force as large as the weight of 102 kg`.
-    fn told(self) -> String {
+    fn in_words(self) -> String {
         let kg = |mass: f64| format!("{} kg", fixed(mass, 0));
         let force = format!("a force as large as the weight of {}", kg(self.force));
         let carried = match self.tool {
             Some(tool) => format!("tool of {tool} kg, and {force}"),
-            None => format!("{force}; the tool's mass is not told (--tool-mass-kg)"),
+            None => format!("{force}; the tool's mass is not given (--tool-mass-kg)"),
         };
         let exceeded = if self.is_exceeded() { ": EXCEEDED" } else { "" };
         format!("{} kg{exceeded}; {carried}", self.nominal)
@@ -97,7 +97,7 @@ impl Wrist {
         let of = match (weight, force) {
             (Some(_), Some(_)) => "of the tool's weight and the force",
             (Some(_), None) => "of the tool's weight alone: the planar model has no tool tip",
-            (None, Some(_)) => "of the force alone: the tool's weight is not told (--tool-mass-kg with --tool-com-mm)",
+            (None, Some(_)) => "of the force alone: the tool's weight is not given (--tool-mass-kg with --tool-com-mm)",
             (None, None) => return None,
         };
         if weight.is_none() && limits.is_none() {
@@ -114,7 +114,7 @@ impl Wrist {
     }
 
     /// `axes 4, 5, 6: 465, 465, 0 N m at worst, of ..; limits 2274, 1398, 782 N m (torque limits of the drives)`.
-    fn told(self) -> String {
+    fn in_words(self) -> String {
         let list = |moments: [f64; 3]| moments.map(|moment| fixed(moment, 0)).join(", ");
         let limits = match self.limits {
             None => "no limit is known ([drives] wrist_moment_nm of the robot file)".into(),
@@ -133,8 +133,8 @@ impl Carried {
 
     /// Each under its name, where something is known of it.
     fn each(self) -> impl Iterator<Item = (&'static str, String)> {
-        let payload = self.payload.map(|payload| ("payload", payload.told()));
-        payload.into_iter().chain(self.wrist.map(|wrist| ("wrist", wrist.told())))
+        let payload = self.payload.map(|payload| ("payload", payload.in_words()));
+        payload.into_iter().chain(self.wrist.map(|wrist| ("wrist", wrist.in_words())))
     }
 
     /// For people.
@@ -198,17 +198,17 @@ mod tests {
     #[test]
     fn moments_about_the_wrist_are_told_against_its_limits() {
         let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
-        let told = |held: FlangeLoad| held.by(&robot).wrist.map(Wrist::told);
+        let wrist = |held: FlangeLoad| held.by(&robot).wrist.map(Wrist::in_words);
         assert_eq!(
-            told(held(Some(60.0), Some([0.1, 0.0, 0.2]), 1000.0)).as_deref(),
+            wrist(held(Some(60.0), Some([0.1, 0.0, 0.2]), 1000.0)).as_deref(),
             Some(
                 "axes 4, 5, 6: 716, 716, 59 N m at worst, of the tool's weight and the force; limits 2274, 1398, 782 N m (torque limits of the drives)"
             )
         );
         assert_eq!(
-            told(held(Some(60.0), None, 3100.0)).as_deref(),
+            wrist(held(Some(60.0), None, 3100.0)).as_deref(),
             Some(
-                "axes 4, 5, 6: 1442, 1442, 0 N m at worst: EXCEEDED about axis 5, of the force alone: the tool's weight is not told (--tool-mass-kg with --tool-com-mm); limits 2274, 1398, 782 N m (torque limits of the drives)"
+                "axes 4, 5, 6: 1442, 1442, 0 N m at worst: EXCEEDED about axis 5, of the force alone: the tool's weight is not given (--tool-mass-kg with --tool-com-mm); limits 2274, 1398, 782 N m (torque limits of the drives)"
             )
         );
         // 3007 N turn axis 5 with 1398.3 N m, 3006 N with less.
@@ -225,8 +225,8 @@ mod tests {
         assert_eq!(light.by(&allowed).wrist.and_then(Wrist::exceeded), None);
         assert!(heavy.by(&allowed).is_exceeded());
         drives_unknown(&mut allowed);
-        assert!(told_of(&allowed, heavy).is_some_and(|told| told.contains("no limit is known")));
-        assert_eq!(told_of(&allowed, held(None, None, 100.0)), None);
+        assert!(wrist_of(&allowed, heavy).is_some_and(|wrist| wrist.contains("no limit is known")));
+        assert_eq!(wrist_of(&allowed, held(None, None, 100.0)), None);
     }
 
     fn drives_unknown(robot: &mut Robot) {
@@ -234,7 +234,7 @@ mod tests {
         drives.motors = stiffarm::drive::Motors::UNKNOWN;
     }
 
-    fn told_of(robot: &Robot, held: FlangeLoad) -> Option<String> {
-        held.by(robot).wrist.map(Wrist::told)
+    fn wrist_of(robot: &Robot, held: FlangeLoad) -> Option<String> {
+        held.by(robot).wrist.map(Wrist::in_words)
     }
 }

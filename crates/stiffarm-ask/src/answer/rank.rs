@@ -29,16 +29,16 @@ pub struct RankAnswer {
     pub options: PlaceOptions,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
-    /// What that says of force, stiffness and size, for each row and task where it was sought; empty where it was not.
+    /// What that says of force, stiffness and size, for each row and task where it was searched for; empty where it was not.
     pub advice: Vec<Vec<Option<Advice>>>,
-    /// How every row stands at every task, as far as its drives may be off.
+    /// How every row stands at every task, over draws of the stiffness of its drives.
     pub(super) chances: Vec<Vec<Option<Chances>>>,
     /// Where the deflection of every row at every task lies, and how likely it keeps the tolerance.
     known: Vec<Vec<Option<Known>>>,
 }
 
 impl RankAnswer {
-    /// Of a ranking, with what was asked, the acceptable deflection, mm, and what was sought for it.
+    /// Of a ranking, with what was asked, the acceptable deflection, mm, and what was searched for for it.
     pub fn of(
         ranking: Ranking,
         options: PlaceOptions,
@@ -59,7 +59,7 @@ impl RankAnswer {
         Some(Verdict::of(deflection, self.tolerance_mm?).with(holds))
     }
 
-    /// Of some robot something says how far its drives may be off.
+    /// Of some robot something states the uncertainty of its drive stiffness.
     pub(super) fn known_of_any(&self) -> bool {
         self.known.iter().flatten().any(Option::is_some)
     }
@@ -75,7 +75,7 @@ impl RankAnswer {
         FlangeLoad::of(self.options.tool_weight, &self.ranking.model, self.ranking.load.newtons()).by(robot)
     }
 
-    /// Where the deflection of a row at a task lies with 90 %, as far as its drives may be off.
+    /// Where the deflection of a row at a task lies with 90 %, over draws of the stiffness of its drives.
     pub fn spread(&self, at: usize, task: usize) -> Option<Spread> {
         Some(self.known[at][task]?.spread)
     }
@@ -231,7 +231,7 @@ impl RankAnswer {
             if in_plane.is_none() {
                 cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
             }
-            cells.extend((0..tasks.len()).map(|task| self.told(at, task, &rivals[task])));
+            cells.extend((0..tasks.len()).map(|task| self.cell(at, task, &rivals[task])));
             for told in (0..tasks.len()).map(|task| placed(row, task)) {
                 match told {
                     None if is_several => cells.push("-".into()),
@@ -248,7 +248,7 @@ impl RankAnswer {
     }
 
     /// `1.234`, marked when it is the best of its column or may be as good, with verdict, margin and probability where a tolerance is given.
-    fn told(&self, at: usize, task: usize, rivals: &[&Row]) -> String {
+    fn cell(&self, at: usize, task: usize, rivals: &[&Row]) -> String {
         let row = &self.ranking.rows[at];
         let Some(deflection) = row.deflection(task) else {
             return match &row.cells[task] {
@@ -282,13 +282,13 @@ impl RankAnswer {
                 let gap = self.options.gap();
                 format!(
                     "Worst deflection [mm] inside each zone at its best place, {acting}\nplanar model; {springs}; proved to {gap}\n{}\n{}\n",
-                    self.stance(),
+                    self.tool_orientation(),
                     self.kept()
                 )
             }
             ModelKind::Spatial(_) => format!(
                 "Worst deflection [mm] inside each flat zone at its best place, {acting}\nspatial model; {springs}\n{}\n{}\n",
-                self.stance(),
+                self.tool_orientation(),
                 self.kept()
             ),
         }
@@ -305,7 +305,7 @@ impl RankAnswer {
     }
 
     /// How the tool is held, and where zones may stand.
-    pub fn stance(&self) -> String {
+    pub fn tool_orientation(&self) -> String {
         let model = &self.ranking.model;
         let asked = self.options.within(model);
         // Of robots of which the base is known; the others have neither a floor nor a column.

@@ -98,7 +98,7 @@ impl Record {
 
     /// As JSON: every key, null where nothing is known.
     pub fn json(&self) -> Value {
-        Value::Object(self.0.iter().map(|(field, datum)| (field.key.to_owned(), told(field, datum))).collect())
+        Value::Object(self.0.iter().map(|(field, datum)| (field.key.to_owned(), value_of(field, datum))).collect())
     }
 
     /// The headings of a table of such records.
@@ -124,17 +124,17 @@ impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(Some(self.0.len()))?;
         for (field, datum) in &self.0 {
-            object.serialize_entry(field.key, &told(field, datum))?;
+            object.serialize_entry(field.key, &value_of(field, datum))?;
         }
         object.end()
     }
 }
 
-fn told(field: &Field, datum: &Datum) -> Value {
+fn value_of(field: &Field, datum: &Datum) -> Value {
     match (field.kind, datum) {
-        (Kind::Number(unit), Datum::Number(number)) => json!(unit.told(*number)),
+        (Kind::Number(unit), Datum::Number(number)) => json!(unit.of_si(*number)),
         (Kind::Numbers { unit, nested, .. }, Datum::Numbers(numbers)) => {
-            let told: Vec<Option<f64>> = numbers.iter().map(|number| number.map(|si| unit.told(si))).collect();
+            let told: Vec<Option<f64>> = numbers.iter().map(|number| number.map(|si| unit.of_si(si))).collect();
             if nested == 0 { json!(told) } else { told.chunks(nested).map(|part| json!(part)).collect() }
         }
         (_, Datum::Text(text)) => json!(text),
@@ -164,11 +164,11 @@ fn cells_of(field: &Field, datum: &Datum) -> Vec<Cell> {
     match (field.kind, datum) {
         (Kind::Nested, _) => Vec::new(),
         (Kind::Numbers { columns, unit, .. }, Datum::Numbers(numbers)) => {
-            let cell = |number: &Option<f64>| number.map_or(Cell::Absent, |si| Cell::Number(unit.told(si)));
+            let cell = |number: &Option<f64>| number.map_or(Cell::Absent, |si| Cell::Number(unit.of_si(si)));
             numbers.iter().map(cell).take(columns.len()).collect()
         }
         (Kind::Numbers { columns, .. }, _) => vec![Cell::Absent; columns.len()],
-        (Kind::Number(unit), Datum::Number(number)) => vec![Cell::Number(unit.told(*number))],
+        (Kind::Number(unit), Datum::Number(number)) => vec![Cell::Number(unit.of_si(*number))],
         (_, Datum::Text(text)) => vec![Cell::Text(text.clone())],
         (_, Datum::Truth(truth)) => vec![Cell::Truth(*truth)],
         (_, Datum::Count(count)) => vec![Cell::Count(*count as i64)],

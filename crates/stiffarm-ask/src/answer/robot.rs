@@ -13,7 +13,7 @@ use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, Robot};
 
 /// Everything that is known of one robot.
-pub fn sheet(robot: &Robot) -> Value {
+pub fn data_sheet(robot: &Robot) -> Value {
     let mut sheet = Object::new();
     let mut put = |key: &str, value: Value| drop(sheet.insert(key.into(), value));
     put("robot", json!(robot.name));

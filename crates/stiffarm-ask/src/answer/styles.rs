@@ -4,7 +4,7 @@ use stiffarm::catalogue::paper_names;
 use stiffarm::drive::Architecture;
 use stiffarm::palette::{QUASI_SERIAL_CURVES, SERIAL_CURVES};
 
-/// So many robots of each architecture are told apart in one figure.
+/// So many robots of each architecture are distinguished in one figure.
 const STYLES: usize = SERIAL_CURVES.len();
 
 /// The colour and the mark of one robot: warm where it is serial, cool where it is quasi-serial.

@@ -43,8 +43,8 @@ pub(super) fn frequencies(hertz: &[f64]) -> String {
 }
 
 /// What was measured, by its table, and how it was held.
-pub(super) fn told(looked: &Looked, file: &str) -> String {
-    let told = match looked.between {
+pub(super) fn described(looked: &Looked, file: &str) -> String {
+    let range = match looked.between {
         Some([from, to]) => format!("from {} to {} Hz", fixed(from, 1), fixed(to, 1)),
         None => format!("modes at {} Hz", frequencies(&looked.modes)),
     };
@@ -52,7 +52,7 @@ pub(super) fn told(looked: &Looked, file: &str) -> String {
         HeldBy::Rigid => "spindle, holder and cutter, held by something rigid",
         HeldBy::Robot => "the tip as the robot holds it",
     };
-    format!("{held}: {told}; {file}")
+    format!("{held}: {range}; {file}")
 }
 
 /// Beyond which frequencies nothing is known, and why a table decides nothing.

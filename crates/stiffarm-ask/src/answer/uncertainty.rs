@@ -26,17 +26,17 @@ impl Known {
     /// By draws of a deflection, m, at least one, against a tolerance, mm.
     pub(super) fn of(draws: Vec<f64>, tolerance_mm: Option<f64>) -> Self {
         // As a deflection is compared.
-        let holds = |mm: f64| share_within(&draws, mm / Unit::Millimetre.told(1.0));
+        let holds = |mm: f64| share_within(&draws, mm / Unit::Millimetre.of_si(1.0));
         Self { holds: tolerance_mm.map(holds), spread: Spread::of(draws) }
     }
 
-    /// Of a placement; `None` where nothing says how far the drives may be off.
+    /// Of a placement; `None` where the drive stiffness has no stated uncertainty.
     pub(super) fn at(robot: &Robot, load: Load, best: Option<&Placement>, tolerance_mm: Option<f64>) -> Option<Self> {
         Some(Self::of(drawn(robot, load, best?)?, tolerance_mm))
     }
 }
 
-/// As fields; null where nothing says how far the drives may be off.
+/// As fields; null where the drive stiffness has no stated uncertainty.
 pub(super) fn put(record: &mut Record, spread: Option<Spread>) {
     record
         .put(field::DEFLECTION_P05, spread.map(|spread| spread.p05))
@@ -45,8 +45,8 @@ pub(super) fn put(record: &mut Record, spread: Option<Spread>) {
 }
 
 /// For people.
-pub(super) fn told(robot: &Robot, spread: Option<Spread>) -> Option<Line> {
-    let mm = |metres: f64| fixed(Unit::Millimetre.told(metres), 3);
+pub(super) fn row(robot: &Robot, spread: Option<Spread>) -> Option<Line> {
+    let mm = |metres: f64| fixed(Unit::Millimetre.of_si(metres), 3);
     let Spread { p05, median, p95 } = spread?;
     Some(line(
         format!("90 % interval ({})", of_what(robot)),
@@ -66,7 +66,7 @@ pub(super) fn put_chances(record: &mut Record, of_row: &[Option<Chances>]) {
     let ties: serde_json::Value = of_row.iter().map(|one| one.as_ref().map(|one| one.ties)).collect();
     record
         .put(field::WIN_PROBABILITY, each(|one| one.win))
-        .put(field::EXPECTED_REGRET, each(|one| Unit::Millimetre.told(one.regret)))
+        .put(field::EXPECTED_REGRET, each(|one| Unit::Millimetre.of_si(one.regret)))
         .put(field::TIES_WITH_BEST, ties);
 }
 
@@ -75,14 +75,14 @@ pub(super) fn ties(chances: &[Vec<Option<Chances>>], task: usize) -> usize {
     chances.iter().filter(|row| row[task].is_some_and(|one| one.ties)).count()
 }
 
-/// How sure the order is, task by task; nothing where no robot says how far its drives may be off.
+/// How sure the order is, task by task; nothing where no robot states the uncertainty of its drive stiffness.
 pub(super) fn sentences(ranking: &Ranking, chances: &[Vec<Option<Chances>>]) -> Vec<String> {
     let of_task = |task: usize| {
         let of_rows = ranking.rows.iter().zip(chances);
         of_rows.filter_map(move |(row, chances)| Some((row.robot.name.as_str(), chances[task]?))).collect()
     };
-    let told = |(task, asked): (usize, &Task)| sentence(&asked.label, of_task(task));
-    ranking.tasks.iter().enumerate().filter_map(told).collect()
+    let sentence_of = |(task, asked): (usize, &Task)| sentence(&asked.label, of_task(task));
+    ranking.tasks.iter().enumerate().filter_map(sentence_of).collect()
 }
 
 /// The same of one task and the robots of which their chances are known.

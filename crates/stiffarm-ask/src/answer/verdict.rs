@@ -21,7 +21,7 @@ pub const ON_TOP: [&str; 4] = [
 /// Whether a tolerance is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// The deflection is no larger than the tolerance, the drives taken as they are told.
+    /// The deflection is no larger than the tolerance, at the nominal stiffness.
     pub passes: bool,
     /// What is left of the tolerance, mm; negative where it is not held.
     pub margin_mm: f64,
@@ -32,9 +32,9 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Of a deflection, m, against a tolerance, mm, the drives taken as they are told.
+    /// Of a deflection, m, against a tolerance, mm, at the nominal stiffness.
     pub fn of(deflection: f64, tolerance_mm: f64) -> Self {
-        let told = Unit::Millimetre.told(deflection);
+        let told = Unit::Millimetre.of_si(deflection);
         let (passes, margin_mm) = (told <= tolerance_mm, tolerance_mm - told);
         Self { passes, margin_mm, probability: None, is_of_drives_alone: false }
     }
@@ -64,13 +64,13 @@ impl Verdict {
         }
     }
 
-    /// `pass` or `fail`, the drives taken as they are told.
+    /// `pass` or `fail`, at the nominal stiffness.
     pub const fn nominal(self) -> &'static str {
         if self.passes { "pass" } else { "fail" }
     }
 
     /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`.
-    pub fn told(self) -> String {
+    pub fn in_words(self) -> String {
         match self.probability {
             Some(probability) => format!("{} (P = {})", self.word(), percent(probability)),
             None if self.passes => format!("{} (P not known)", self.word()),
@@ -118,7 +118,7 @@ mod tests {
         ];
         for (mm, probability, word, told) in cases {
             let verdict = Verdict::of(mm / 1e3, 2.0).with(probability);
-            assert_eq!((verdict.word(), verdict.told().as_str()), (word, told));
+            assert_eq!((verdict.word(), verdict.in_words().as_str()), (word, told));
         }
         assert_eq!(Verdict::of(1.8e-3, 2.0).with(Some(0.97)).short(), "pass +0.200, P 97 %");
         assert_eq!(Verdict::of(1.8e-3, 2.0).nominal(), "pass");

@@ -41,7 +41,7 @@ impl VerifyAnswer {
     pub fn json(&self) -> Value {
         let Verification { robot, as_file, fits, alike, postures, wrong_row, rows, is_measured, verified } =
             &self.found;
-        let degrees = |q: &[f64; 6]| q.map(|angle| fixed(Unit::Degree.told(angle), 6).parse::<f64>().unwrap_or(angle));
+        let degrees = |q: &[f64; 6]| q.map(|angle| fixed(Unit::Degree.of_si(angle), 6).parse::<f64>().unwrap_or(angle));
         let mut answer = Record::new();
         answer
             .put(field::ROBOT, robot.name.as_str())
@@ -60,7 +60,7 @@ impl VerifyAnswer {
                 field::WRONG_ROW,
                 wrong_row.map_or(
                     Value::Null,
-                    |(line, off)| json!({ "line": line, "distance_mm": Unit::Millimetre.told(off) }),
+                    |(line, off)| json!({ "line": line, "distance_mm": Unit::Millimetre.of_si(off) }),
                 ),
             );
         with_schema("robots verify", "the frame of the readings", &answer)
@@ -114,7 +114,7 @@ impl VerifyAnswer {
         let Verification { as_file, fits, alike, postures, wrong_row, .. } = &self.found;
         let mut notes = Vec::new();
         if let Some((line, off)) = wrong_row {
-            let off = fixed(Unit::Millimetre.told(*off), 2);
+            let off = fixed(Unit::Millimetre.of_si(*off), 2);
             notes.push(format!("Line {line} is off by {off} mm, and all other rows agree with the file: look at that row, and read it again.\n"));
         } else if !as_file.agrees() {
             notes.push(what_fits(fits.first(), as_file));
@@ -126,7 +126,7 @@ impl VerifyAnswer {
             notes.push("Postures that would, if the cell lets the robot go there:\n".into());
         }
         notes.extend(postures.iter().map(|q| {
-            let angles = q.map(|angle| fixed(Unit::Degree.told(angle), 0)).join(", ");
+            let angles = q.map(|angle| fixed(Unit::Degree.of_si(angle), 0)).join(", ");
             format!("  joints at {angles} deg\n")
         }));
         notes.concat()
@@ -231,7 +231,7 @@ fn record((robot, fit): &(Robot, Fit)) -> Record {
 fn table(fits: &[(Robot, Fit)]) -> Table {
     let mut table = Table::new(["robot", "rms mm", "largest mm", "where"]);
     for (robot, fit) in fits {
-        let [rms, largest] = [fit.rms, fit.largest].map(|off| fixed(Unit::Millimetre.told(off), 3));
+        let [rms, largest] = [fit.rms, fit.largest].map(|off| fixed(Unit::Millimetre.of_si(off), 3));
         table.row([robot.full_name(), rms, largest, said(robot, fit)]);
     }
     table.with_broken_lines()
@@ -251,15 +251,16 @@ fn said(robot: &Robot, fit: &Fit) -> String {
 }
 
 fn off(fit: &Fit) -> String {
-    let [rms, largest] = [fit.rms, fit.largest].map(|off| fixed(Unit::Millimetre.told(off), 3));
-    let turn = fit.largest_turn.map_or_else(String::new, |turn| format!(", {} deg", fixed(Unit::Degree.told(turn), 3)));
+    let [rms, largest] = [fit.rms, fit.largest].map(|off| fixed(Unit::Millimetre.of_si(off), 3));
+    let turn =
+        fit.largest_turn.map_or_else(String::new, |turn| format!(", {} deg", fixed(Unit::Degree.of_si(turn), 3)));
     format!("{rms} mm rms; largest {largest} mm{turn}")
 }
 
 pub(super) fn numbers(pose: &Pose) -> [f64; 6] {
     let (rx, ry, rz) = pose.rotation.euler_angles();
-    let [x, y, z] = [pose.translation.x, pose.translation.y, pose.translation.z].map(|m| Unit::Millimetre.told(m));
-    let [rx, ry, rz] = [rx, ry, rz].map(|angle| Unit::Degree.told(angle));
+    let [x, y, z] = [pose.translation.x, pose.translation.y, pose.translation.z].map(|m| Unit::Millimetre.of_si(m));
+    let [rx, ry, rz] = [rx, ry, rz].map(|angle| Unit::Degree.of_si(angle));
     [x, y, z, rx, ry, rz]
 }
 
@@ -268,11 +269,11 @@ fn bases(fit: &Fit) -> Value {
 }
 
 fn points(fit: &Fit) -> Value {
-    fit.points.iter().map(|point| json!([0, 1, 2].map(|i| Unit::Millimetre.told(point[i])))).collect()
+    fit.points.iter().map(|point| json!([0, 1, 2].map(|i| Unit::Millimetre.of_si(point[i])))).collect()
 }
 
 fn three(point: &Vector3<f64>) -> String {
-    [point.x, point.y, point.z].map(|m| fixed(Unit::Millimetre.told(m), 2)).join(", ")
+    [point.x, point.y, point.z].map(|m| fixed(Unit::Millimetre.of_si(m), 2)).join(", ")
 }
 
 fn placed(pose: &Pose) -> String {

@@ -9,7 +9,7 @@ use crate::answer::{CalibrateAnswer, Headline, Rows};
 use crate::date::today;
 use crate::error::AskError;
 use crate::figures::{FigureSize, calibrate as figure};
-use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, tables_and_notes};
 use crate::report::Report;
 use crate::request::Request;
 
@@ -53,7 +53,7 @@ impl Answer for CalibrateOutput<'_> {
 
     fn text(&self) -> Vec<Piece> {
         let tables = [Some(self.answer.summary()), Some(self.answer.table()), self.answer.drives()];
-        sheet(tables.into_iter().flatten(), self.answer.notes())
+        tables_and_notes(tables.into_iter().flatten(), self.answer.notes())
     }
 
     fn value(&self) -> Value {

@@ -82,8 +82,8 @@ fn words(side: &PlaceAnswer) -> String {
     let found = match side.best() {
         None => format!("no place for {}", task.label),
         Some(best) => {
-            let verdict = side.verdict().map_or_else(String::new, |verdict| format!("; {}", verdict.told()));
-            format!("{}: {:.3} mm at worst{verdict}", task.label, Unit::Millimetre.told(best.deflection))
+            let verdict = side.verdict().map_or_else(String::new, |verdict| format!("; {}", verdict.in_words()));
+            format!("{}: {:.3} mm at worst{verdict}", task.label, Unit::Millimetre.of_si(best.deflection))
         }
     };
     format!("{found}; {}; {held}; {}; {}", acting(options.load), class(robot), stiffness(robot))

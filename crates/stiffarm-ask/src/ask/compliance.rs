@@ -62,7 +62,7 @@ impl ComplianceOutput {
         let times = magnified(worst.norm().max(moved.map_or(0.0, |moved| moved.norm())));
         let arrow = |what: &str, moved: Vector3<f64>, unit: &str, colour: &'static str| Arrow {
             colour,
-            label: format!("{what}: {:.4} {unit}, drawn {times} times as long", Unit::Millimetre.told(moved.norm())),
+            label: format!("{what}: {:.4} {unit}, drawn {times} times as long", Unit::Millimetre.of_si(moved.norm())),
             at,
             along: (times * moved).into(),
         };

@@ -30,7 +30,7 @@ pub(crate) fn force(load: Load) -> Option<ForceMark> {
     let (towards, which) = match load.direction() {
         Direction::InPlane(angle) => {
             let (s, c) = angle.sin_cos();
-            ([c, s], format!(" at {:.0} deg", Unit::Degree.told(angle)))
+            ([c, s], format!(" at {:.0} deg", Unit::Degree.of_si(angle)))
         }
         // Only what of it lies in the section is seen.
         Direction::Base([x, 0.0, z]) => ([x, z], String::new()),

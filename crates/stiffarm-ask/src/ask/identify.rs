@@ -10,7 +10,7 @@ use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::{FigureSize, identify as figure};
-use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, tables_and_notes};
 use crate::report::Report;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<IdentifyOutput<'a>, AskError> {
@@ -43,7 +43,7 @@ impl Answer for IdentifyOutput<'_> {
     fn text(&self) -> Vec<Piece> {
         let answer = &self.answer;
         let tables = [Some(answer.summary()), Some(answer.table()), answer.updated()];
-        sheet(tables.into_iter().flatten(), answer.notes())
+        tables_and_notes(tables.into_iter().flatten(), answer.notes())
     }
 
     fn value(&self) -> Value {

@@ -23,7 +23,7 @@ use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::sheets::Ways;
-use crate::figures::view3d::{Arrow, Cell, Sheet, View, Zone};
+use crate::figures::view3d::{Arrow, Cell, Surface, View, Zone};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, Sketch, pretty};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, AskError> {
@@ -206,9 +206,9 @@ impl<'a> Drawn<'a> {
         let colour_label = self.colour_label();
         let zone = best.zip(self.mark).map(|(best, mark)| Zone {
             rim: mark.rim.iter().map(|&[x, z]| [x, y, z]).collect(),
-            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.told(best.deflection)) }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.of_si(best.deflection)) }),
             label: mark.label,
-            sheet: None,
+            surface: None,
         });
         let arm = arm(model, self.posture, None);
         let at = arm.as_ref().and_then(|arm| arm.points.last()).map(|(at, _)| *at);
@@ -221,7 +221,7 @@ impl<'a> Drawn<'a> {
             notes: vec![self.subtitle, note],
             arm,
             zone,
-            section: Some(Sheet::of_map(grid, unit, y)),
+            section: Some(Surface::of_map(grid, unit, y)),
             colour_label,
             colours,
             scale: self.figure_size.ends(),
@@ -238,8 +238,9 @@ fn subtitle(answer: &MapAnswer) -> String {
     let start = format!("{}; {}", class(model.robot()), stiffness(model.robot()));
     match model.kind() {
         ModelKind::Planar => {
-            let told = |within: &Within| window(within, origin(model.robot()));
-            let windows: Vec<String> = zone.iter().flat_map(PlaceAnswer::windows).map(|within| told(&within)).collect();
+            let in_words = |within: &Within| window(within, origin(model.robot()));
+            let windows: Vec<String> =
+                zone.iter().flat_map(PlaceAnswer::windows).map(|within| in_words(&within)).collect();
             let within =
                 if windows.is_empty() { String::new() } else { format!("; zone within {}", windows.join(" or ")) };
             let side = match options.elbow {
@@ -257,7 +258,7 @@ fn subtitle(answer: &MapAnswer) -> String {
             };
             let roll = held.roll.map_or_else(
                 || ", at its best roll".into(),
-                |roll| format!(", rolled by {} deg", (Unit::Degree.told(roll) * 1e6).round() / 1e6),
+                |roll| format!(", rolled by {} deg", (Unit::Degree.of_si(roll) * 1e6).round() / 1e6),
             );
             let swings = answer.swings_with().map_or_else(String::new, |tool| format!("; {tool}"));
             format!("{start}; all six drives, {towards}, tool: {tool}; {posture}{roll}{swings}")
@@ -272,7 +273,7 @@ fn mark(placed: &PlaceAnswer, best: &Placement) -> Option<ZoneMark> {
         zone,
         rim: rim(zone, best.centre, best.angle),
         worst_point: [x, z],
-        label: format!("{}: {:.3} mm at worst", placed.task.label, Unit::Millimetre.told(best.deflection)),
+        label: format!("{}: {:.3} mm at worst", placed.task.label, Unit::Millimetre.of_si(best.deflection)),
     })
 }
 

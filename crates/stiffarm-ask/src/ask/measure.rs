@@ -10,7 +10,7 @@ use stiffarm::robot::Robot;
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::{FigureSize, postures};
-use crate::forms::{Answer, Forms, Makes, Picture, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Picture, Piece, tables_and_notes};
 
 /// The robot, what is asked of a plan, and the work in words.
 fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String), AskError> {
@@ -77,7 +77,7 @@ impl Answer for MeasureOutput {
 
     fn text(&self) -> Vec<Piece> {
         let Self(answer, _) = self;
-        sheet([answer.summary(), answer.table()], answer.notes())
+        tables_and_notes([answer.summary(), answer.table()], answer.notes())
     }
 
     fn value(&self) -> Value {
@@ -107,7 +107,7 @@ impl Answer for GeometryOutput {
 
     fn text(&self) -> Vec<Piece> {
         let Self(answer, _) = self;
-        sheet([answer.summary(), answer.table()], answer.notes())
+        tables_and_notes([answer.summary(), answer.table()], answer.notes())
     }
 
     fn value(&self) -> Value {

@@ -20,7 +20,7 @@ use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
+use crate::figures::view3d::{Cell, Point, Surface, View, Zone};
 use crate::figures::{FigureSize, lobes};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
@@ -109,15 +109,15 @@ impl MillOutput<'_> {
         let stride = answer.stations.len().div_ceil(MOST_POINTS).max(1);
         let cell = |i: usize, above: f64| {
             let (station, pushed) = (&answer.stations[i], &found.samples[i]);
-            let mm = station.sample.is_cutting.then(|| Unit::Millimetre.told(pushed.error));
+            let mm = station.sample.is_cutting.then(|| Unit::Millimetre.of_si(pushed.error));
             Cell { at: stand.above(station, above), mm }
         };
         let row = |above: f64| (0..answer.stations.len()).step_by(stride).map(|i| cell(i, above)).collect();
         let (error, worst) = found.worst;
         let zone = Zone {
-            label: format!("{}: {:.3} mm at worst", answer.path, Unit::Millimetre.told(error)),
+            label: format!("{}: {:.3} mm at worst", answer.path, Unit::Millimetre.of_si(error)),
             rim: Vec::new(),
-            sheet: Some(Sheet { rows: vec![row(0.0), row(RIBBON)] }),
+            surface: Some(Surface { rows: vec![row(0.0), row(RIBBON)] }),
             worst: Some(cell(worst, 0.0)),
         };
         let stretch = |run: Range<usize>| run.map(|i| stand.above(&answer.stations[i], 0.0)).collect();
@@ -125,7 +125,7 @@ impl MillOutput<'_> {
         let pushed = &found.samples[touches.map_or(worst, |contact| contact.station)];
         let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
         let shown = answer
-            .deepest_told()
+            .deepest_sentence()
             .map_or_else(|| "at the worst sample".into(), |told| format!("where it touches deepest ({told})"));
         let clear_of = answer.options.clear_of.as_ref();
         Ok(View {

@@ -18,7 +18,7 @@ use crate::figures::bars::{BarRow, BarsFigure};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
-/// More bars are not told apart on one page.
+/// More bars are not distinguished on one page.
 const MOST_BARS: usize = 60;
 
 pub(crate) struct PathRankOutput<'a> {
@@ -48,24 +48,22 @@ impl PathRankOutput<'_> {
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
         let named: Vec<(&str, Architecture)> =
             rows.iter().map(|row| (row.robot.name.as_str(), row.robot.architecture)).collect();
-        let drawn = rows.iter().zip(styles(&named)).take(MOST_BARS).map(|(row, style)| BarRow {
-            robot: words::marked(&row.robot),
-            serial: row.robot.architecture == Architecture::Serial,
-            estimated: row.robot.status == Status::Estimated,
-            style,
-            intervals: vec![
-                row.milled
-                    .as_ref()
-                    .ok()
-                    .and_then(MillAnswer::spread)
-                    .map(|spread| [spread.p05, spread.median, spread.p95].map(|metres| Unit::Millimetre.told(metres))),
-            ],
-            verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::told)],
-            collides: vec![row.milled.as_ref().ok().and_then(MillAnswer::deepest).is_some()],
-            values: vec![
-                row.proved().map(|[bound, value]| [value, bound].map(|metres| Unit::Millimetre.told(metres)).into()),
-            ],
-        });
+        let drawn =
+            rows.iter().zip(styles(&named)).take(MOST_BARS).map(|(row, style)| BarRow {
+                robot: words::marked(&row.robot),
+                serial: row.robot.architecture == Architecture::Serial,
+                estimated: row.robot.status == Status::Estimated,
+                style,
+                intervals: vec![row.milled.as_ref().ok().and_then(MillAnswer::spread).map(|spread| {
+                    [spread.p05, spread.median, spread.p95].map(|metres| Unit::Millimetre.of_si(metres))
+                })],
+                verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::in_words)],
+                collides: vec![row.milled.as_ref().ok().and_then(MillAnswer::deepest).is_some()],
+                values: vec![
+                    row.proved()
+                        .map(|[bound, value]| [value, bound].map(|metres| Unit::Millimetre.of_si(metres)).into()),
+                ],
+            });
         let figure = BarsFigure {
             title: format!("Largest error along {path}, each robot at its best place and rolls{first}"),
             subtitle: format!("{}; {}", self.answer.force(), stiffnesses(rows.iter().map(|row| &row.robot))),

@@ -22,7 +22,7 @@ use crate::figures::FigureSize;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{self, Cell, Point, Sheet, View};
+use crate::figures::view3d::{self, Cell, Point, Surface, View};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, Sketch};
 use crate::report::Report;
 
@@ -60,11 +60,11 @@ impl PlaceOutput {
         let search = |watch: Watch| place(&model, &task.work, &options, watch);
         let placed = context.watched("searching places", search).map_err(failure)?;
         let tolerance_mm = asked.tolerance_mm();
-        let sought = |mm: f64| {
+        let advised = |mm: f64| {
             let advised = |watch: Watch| advise(&model, &task.work, &options, &placed, mm / 1e3, watch);
             context.watched("placing smaller zones", advised)
         };
-        let advice = tolerance_mm.filter(|_| context.advises).map(sought).transpose().map_err(failure)?;
+        let advice = tolerance_mm.filter(|_| context.advises).map(advised).transpose().map_err(failure)?;
         let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
         let points = if kind == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
         Ok(Self { model, answer, figure_size, asked: asked.clone(), inputs: Inputs::of(asked, context), points })
@@ -76,7 +76,7 @@ impl PlaceOutput {
     }
 
     /// An answer that is there, with a map of so many points.
-    pub(crate) fn told(
+    pub(crate) fn of_answer(
         answer: PlaceAnswer,
         (asked, inputs): (&Request, Inputs),
         (figure_size, points): (FigureSize, usize),
@@ -87,7 +87,7 @@ impl PlaceOutput {
     }
 
     fn elevation(&self) -> f64 {
-        self.answer.options.stance().elevation
+        self.answer.options.tool_orientation().elevation
     }
 
     /// What is drawn, where there is something.
@@ -170,10 +170,10 @@ impl PlaceOutput {
             cells: self
                 .face()?
                 .iter()
-                .map(|point| point.deflection.map(|metres| Unit::Millimetre.told(metres)))
+                .map(|point| point.deflection.map(|metres| Unit::Millimetre.of_si(metres)))
                 .collect(),
             per_side: FACE_SIZE,
-            up: match self.answer.options.stance().is_vertical() {
+            up: match self.answer.options.tool_orientation().is_vertical() {
                 false => "upwards in its plane",
                 true if self.elevation() < 0.0 => "ahead",
                 true => "back",
@@ -243,7 +243,7 @@ impl PlaceOutput {
     }
 
     fn label(&self, best: &Placement) -> String {
-        format!("{}: {:.3} mm at worst", self.answer.task.label, Unit::Millimetre.told(best.deflection))
+        format!("{}: {:.3} mm at worst", self.answer.task.label, Unit::Millimetre.of_si(best.deflection))
     }
 
     fn in_space(&self) -> Result<View, AskError> {
@@ -255,16 +255,16 @@ impl PlaceOutput {
         let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
         let cell = |point: &ZonePoint| Cell {
             at: turned(point.at),
-            mm: point.deflection.map(|metres| Unit::Millimetre.told(metres)),
+            mm: point.deflection.map(|metres| Unit::Millimetre.of_si(metres)),
         };
         let face: Vec<Cell> = self.face()?.iter().map(cell).collect();
         let zone = view3d::Zone {
             label: self.label(best),
             rim: self.rim()?.into_iter().map(turned).collect(),
-            sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
-            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.told(best.deflection)) }),
+            surface: Some(Surface { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.of_si(best.deflection)) }),
         };
-        let mut section = Sheet::of_map(&map.map.deflection, Unit::Millimetre, 0.0);
+        let mut section = Surface::of_map(&map.map.deflection, Unit::Millimetre, 0.0);
         section.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));
         let posture = hold.map(|hold| ArmPosture::Joints(hold.joints));
         Ok(View {

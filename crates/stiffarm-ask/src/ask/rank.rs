@@ -24,9 +24,9 @@ use crate::report::Report;
 
 /// Sizes along each curve of the figure.
 const CURVE_POINTS: usize = 40;
-/// More curves than this cannot be told apart.
+/// More curves than this cannot be distinguished.
 const MOST_CURVES: usize = 24;
-/// More bars are not told apart on one page.
+/// More bars are not distinguished on one page.
 const MOST_BARS: usize = 60;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<RankOutput<'a>, AskError> {
@@ -105,7 +105,7 @@ impl RankOutput<'_> {
                 points: curve
                     .points
                     .into_iter()
-                    .map(|(scale, deflection)| (scale, Unit::Millimetre.told(deflection)))
+                    .map(|(scale, deflection)| (scale, Unit::Millimetre.of_si(deflection)))
                     .collect(),
                 is_complete: curve.is_complete,
             });
@@ -133,7 +133,7 @@ impl RankOutput<'_> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, .. }, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
-        let mm = |metres: f64| Unit::Millimetre.told(metres);
+        let mm = |metres: f64| Unit::Millimetre.of_si(metres);
         let drawn = rows.iter().zip(self.styles()).enumerate().take(MOST_BARS).map(|(at, (row, style))| BarRow {
             robot: words::marked(&row.robot),
             serial: row.robot.architecture == Architecture::Serial,
@@ -145,7 +145,7 @@ impl RankOutput<'_> {
             intervals: (0..tasks.len())
                 .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.median, spread.p95].map(mm)))
                 .collect(),
-            verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::told)).collect(),
+            verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::in_words)).collect(),
             collides: (0..tasks.len())
                 .map(|task| row.placement(task).is_some_and(Placement::collides_in_space))
                 .collect(),
@@ -155,7 +155,7 @@ impl RankOutput<'_> {
             subtitle: format!(
                 "{}; {}",
                 stiffnesses(self.answer.ranking.rows.iter().map(|row| &row.robot)),
-                self.answer.stance()
+                self.answer.tool_orientation()
             ),
             tasks: tasks.iter().map(|task| task.label.clone()).collect(),
             rows: drawn.collect(),

@@ -7,7 +7,7 @@ use stiffarm::robot::Robot;
 use super::context::Context;
 use super::selection;
 use crate::answer::Rows;
-use crate::answer::robot::{list, notes, sheet, table};
+use crate::answer::robot::{data_sheet, list, notes, table};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece};
 use crate::request::Request;
@@ -41,7 +41,7 @@ impl Answer for List {
     }
 
     fn value(&self) -> Value {
-        self.0.iter().map(sheet).collect()
+        self.0.iter().map(data_sheet).collect()
     }
 
     fn rows(&self) -> Rows<'_> {

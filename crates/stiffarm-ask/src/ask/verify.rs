@@ -9,7 +9,7 @@ use super::context::{Context, readings_of};
 use crate::answer::{Rows, VerifyAnswer, VerifyRankAnswer};
 use crate::date::today;
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Makes, Piece, sheet};
+use crate::forms::{Answer, Forms, Makes, Piece, tables_and_notes};
 use crate::request::Request;
 
 /// Of a robot that was named.
@@ -50,7 +50,7 @@ impl Answer for VerifyAnswer {
     }
 
     fn text(&self) -> Vec<Piece> {
-        sheet([Some(self.summary()), self.table()].into_iter().flatten(), self.notes())
+        tables_and_notes([Some(self.summary()), self.table()].into_iter().flatten(), self.notes())
     }
 
     fn value(&self) -> Value {
@@ -77,7 +77,7 @@ impl Answer for VerifyRankAnswer {
     }
 
     fn text(&self) -> Vec<Piece> {
-        sheet([self.table()], self.notes())
+        tables_and_notes([self.table()], self.notes())
     }
 
     fn value(&self) -> Value {

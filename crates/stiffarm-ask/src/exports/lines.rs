@@ -2,7 +2,7 @@
 
 use super::{Numbers, array, file};
 use crate::figures::bands::Colours;
-use crate::figures::view3d::{Cell, Point, Sheet, View};
+use crate::figures::view3d::{Cell, Point, Surface, View};
 
 /// What a line or face is of: the numbers of its array `part`.
 #[derive(Clone, Copy)]
@@ -60,9 +60,9 @@ impl Shapes {
     }
 
     /// Four neighbours are a face; a point that is not reached is in none.
-    fn sheet(&mut self, sheet: &Sheet, part: Part) {
+    fn surface(&mut self, surface: &Surface, part: Part) {
         let mut before: Option<Vec<Option<i64>>> = None;
-        for row in &sheet.rows {
+        for row in &surface.rows {
             let number = |shapes: &mut Self, cell: &Cell| {
                 let is_known = cell.mm.is_some() || part as i64 == Part::Work as i64;
                 is_known.then(|| shapes.point(cell.at, cell.mm))
@@ -91,12 +91,12 @@ pub(crate) fn lines(view: &View) -> String {
     }
     if let Some(zone) = &view.zone {
         shapes.line(&zone.rim, Part::Work);
-        if let Some(sheet) = &zone.sheet {
-            shapes.sheet(sheet, Part::Work);
+        if let Some(surface) = &zone.surface {
+            shapes.surface(surface, Part::Work);
         }
     }
     if let Some(section) = &view.section {
-        shapes.sheet(section, Part::Section);
+        shapes.surface(section, Part::Section);
     }
     for arrow in &view.arrows {
         let end = [0, 1, 2].map(|i| arrow.at[i] + arrow.along[i]);

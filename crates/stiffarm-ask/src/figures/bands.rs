@@ -212,10 +212,12 @@ impl Field<'_> {
         let mut lines = Vec::new();
         canvas.clipped(&region, |canvas| {
             let ground = if bands.beyond[0] { under.into() } else { bands.colour(0) };
-            canvas.told(&bands.between(0), |canvas| canvas.path(&region, &format!(r#"fill="{ground}""#)));
+            canvas.with_tooltip(&bands.between(0), |canvas| canvas.path(&region, &format!(r#"fill="{ground}""#)));
             for i in usize::from(!bands.beyond[0])..bands.count {
                 let area = self.area(&full.area_above(bands.limit(i)));
-                canvas.told(&bands.between(i), |canvas| canvas.path(&area, &format!(r#"fill="{}""#, bands.colour(i))));
+                canvas.with_tooltip(&bands.between(i), |canvas| {
+                    canvas.path(&area, &format!(r#"fill="{}""#, bands.colour(i)));
+                });
             }
             if bands.beyond[1] {
                 canvas.path(&self.area(&full.area_above(bands.limit(bands.count))), &format!(r#"fill="{over}""#));

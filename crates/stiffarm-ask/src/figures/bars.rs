@@ -27,11 +27,11 @@ pub(crate) struct BarRow {
     pub serial: bool,
     /// Its geometry or limits are assumed.
     pub estimated: bool,
-    /// Its colour and mark in every figure, where it is told apart.
+    /// Its colour and mark in every figure, where it is distinguished.
     pub style: Option<RobotStyle>,
     /// By task: deflection and its proved lower bound, mm; absent where the task does not fit.
     pub values: Vec<Option<(f64, f64)>>,
-    /// By task: where it lies with 90 %, the median between the ends, mm; absent where nothing says how far the drives may be off.
+    /// By task: where it lies with 90 %, the median between the ends, mm; absent where the drive stiffness has no stated uncertainty.
     pub intervals: Vec<Option<[f64; 3]>>,
     /// By task: verdict and probability, where there is a tolerance.
     pub verdicts: Vec<Option<String>>,
@@ -145,7 +145,7 @@ impl BarsFigure {
             if collides {
                 told += "; COLLISION";
             }
-            canvas.told(&told, |canvas| {
+            canvas.with_tooltip(&told, |canvas| {
                 canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &style(row.colour(), row.estimated));
             });
             if collides {

@@ -48,7 +48,7 @@ fn rows(canvas: &mut Canvas, answer: &CalibrateAnswer, (x, y): ([f64; 2], [f64; 
     let wide = (0.7 * (x[1] - x[0]) / (last - first + 2) as f64).clamp(0.5, 6.0);
     for Off { line, before, after } in &found.rows {
         let (at, before, after) = (*line as f64, 1e3 * before, 1e3 * after);
-        canvas.told(&format!("line {line}: {before:.3} mm as drawn, {after:.3} mm calibrated"), |canvas| {
+        canvas.with_tooltip(&format!("line {line}: {before:.3} mm as drawn, {after:.3} mm calibrated"), |canvas| {
             let mut bar = |high: f64, colour: &str| {
                 canvas.line(
                     frame.at(at, 0.0),

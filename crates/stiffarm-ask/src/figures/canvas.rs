@@ -240,7 +240,7 @@ impl Canvas {
     }
 
     /// Draws what `draw` draws, and says `text` of it where a pointer rests on it.
-    pub(crate) fn told(&mut self, text: &str, draw: impl FnOnce(&mut Self)) {
+    pub(crate) fn with_tooltip(&mut self, text: &str, draw: impl FnOnce(&mut Self)) {
         let _ = writeln!(self.body, "<g><title>{}</title>", escaped(text));
         draw(self);
         self.body.push_str("</g>\n");

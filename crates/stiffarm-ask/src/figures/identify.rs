@@ -125,7 +125,7 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
         let at = one.row as f64;
         let after = 1e3 * one.after.norm();
         let told = format!("row {}: moved {:.3} mm, {after:.3} mm not explained", one.row, mm(one));
-        canvas.told(&told, |canvas| {
+        canvas.with_tooltip(&told, |canvas| {
             canvas.line(frame.at(at, 0.0), frame.at(at, mm(one)), &format!(r#"stroke="{FAINT}" stroke-width="4""#));
             canvas.line(frame.at(at, 0.0), frame.at(at, after), &format!(r#"stroke="{DEFLECTION}" stroke-width="4""#));
         });

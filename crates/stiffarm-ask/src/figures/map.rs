@@ -19,7 +19,7 @@ use super::{FigureError, FigureSize};
 /// No more grid points per side are drawn: finer than the pixels of a large print.
 const MOST_POINTS: usize = 800;
 
-/// The edge of the mapped area is sought on at least this many points per side.
+/// The edge of the mapped area is searched for on at least this many points per side.
 const EDGE_POINTS: usize = 300;
 
 /// A map with what it is needed for.
@@ -108,7 +108,7 @@ impl MapFigure<'_> {
     /// The least and the largest of what is drawn, in its unit; nothing where nothing is reached.
     pub(crate) fn extremes(&self) -> Option<[f64; 2]> {
         let [least, most] = self.map.extremes()?;
-        Some([least, most].map(|(value, ..)| self.unit.told(value)))
+        Some([least, most].map(|(value, ..)| self.unit.of_si(value)))
     }
 
     pub(crate) fn entries(&self) -> Vec<Entry> {
@@ -146,7 +146,7 @@ impl MapFigure<'_> {
         let index = |i: usize, count: usize| (i * stride).min(last(count));
         let count = |count: usize| last(count).div_ceil(stride) + 1;
         let grid = Grid::new(count(x.count), count(z.count), |i, j| {
-            Some(self.unit.told(self.map.get(index(i, x.count), index(j, z.count))?))
+            Some(self.unit.of_si(self.map.get(index(i, x.count), index(j, z.count))?))
         });
         let [[_, bottom], [right, top]] = frame.corners();
         let Some(extremes) = grid.extremes() else {

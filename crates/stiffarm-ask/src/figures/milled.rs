@@ -129,7 +129,7 @@ impl MilledFigure<'_> {
                 let line = if sample.line == 0 { String::new() } else { format!("line {}, ", sample.line) };
                 let told = format!("{line}{:.1} mm of the way: {error:.4} mm", sample.way * 1e3);
                 let at = frame.at(sample.way * 1e3, error);
-                canvas.told(&told, |canvas| canvas.circle(at, 5.0, r#"fill-opacity="0""#));
+                canvas.with_tooltip(&told, |canvas| canvas.circle(at, 5.0, r#"fill-opacity="0""#));
             }
         }
     }
@@ -209,7 +209,7 @@ impl MilledFigure<'_> {
         }
         for (_, station, roll) in self.answer.pins() {
             let (way, roll) = (station.sample.way * 1e3, turn(roll.to_degrees()));
-            canvas.told(&format!("pinned: {roll:.1} deg at {way:.1} mm"), |canvas| {
+            canvas.with_tooltip(&format!("pinned: {roll:.1} deg at {way:.1} mm"), |canvas| {
                 canvas.circle(frame.at(way, roll), PIN, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#));
             });
         }

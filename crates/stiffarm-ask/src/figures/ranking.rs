@@ -183,17 +183,17 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[CurveStyle], frame: 
         let points = finite(curve).into_iter().map(|(size, value)| frame.at(size, value)).collect();
         all.push((curve, style, points));
     }
-    // Those that are not told apart lie below.
+    // Those that are not distinguished lie below.
     all.sort_by_key(|(_, style, _)| style.robot_style.is_some());
     let mut occupied = Occupied::default();
     canvas.clipped(&rect_path([left, bottom + 1.0], [right, top]), |canvas| {
         for (curve, style, points) in &all {
-            canvas.told(style.robot, |canvas| canvas.path(&path(points, false), &style.line()));
+            canvas.with_tooltip(style.robot, |canvas| canvas.path(&path(points, false), &style.line()));
             let values = finite(curve);
             let last = points.len().saturating_sub(1);
             for i in marked(points, style) {
                 let (size, value) = values[i];
-                canvas.told(&format!("{}: {value:.3} mm at d {size:.3} m", style.robot), |canvas| {
+                canvas.with_tooltip(&format!("{}: {value:.3} mm at d {size:.3} m", style.robot), |canvas| {
                     style.mark(canvas, points[i]);
                 });
                 occupied.take(&[points[i]; 2], 5.0);

@@ -13,7 +13,7 @@ use super::map::edge;
 use super::scene::{Scene, links};
 use super::{FigureError, FigureSize};
 
-/// The edge is sought on so many points along the longer side.
+/// The edge is searched for on so many points along the longer side.
 const POINTS: usize = 240;
 
 /// Look of an elbow side: its fill, and its edge, which stays apart in a print without colour.

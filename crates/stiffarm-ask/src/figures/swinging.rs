@@ -167,7 +167,7 @@ fn arm(canvas: &mut Canvas, points: &[Px; 6]) {
 
 /// A line a mode, with its frequency and how far that may be off.
 fn entries(answer: &ModesAnswer, swung: &[(usize, Line)]) -> Vec<Entry> {
-    let told = |rank: usize| {
+    let label = |rank: usize| {
         let mode = &answer.modes()[rank];
         let between = mode.spread.map_or_else(String::new, |spread| {
             format!(" (90 %: {} to {} Hz)", fixed(spread.p05, 1), fixed(spread.p95, 1))
@@ -175,7 +175,7 @@ fn entries(answer: &ModesAnswer, swung: &[(usize, Line)]) -> Vec<Entry> {
         format!("mode {}: {} Hz{between}", rank + 1, fixed(mode.frequency, 2))
     };
     let look = |rank: usize| format!(r#"stroke="{}" stroke-width="2.2""#, RATIOS[rank]);
-    let modes = swung.iter().map(|(rank, _)| Entry::line(told(*rank), look(*rank)));
+    let modes = swung.iter().map(|(rank, _)| Entry::line(label(*rank), look(*rank)));
     let back = format!(r#"stroke="{GREY}" stroke-width="2.2" stroke-dasharray="5 4""#);
     modes.chain([Entry::line("the same half a swing later", back)]).collect()
 }

@@ -4,7 +4,7 @@ use super::Unsupported;
 use nalgebra::Vector3;
 use stiffarm::cell::{Block, Cell, MOST_BLOCKS, Mount, Window};
 use stiffarm::interval::Interval;
-use stiffarm::place::{Margins, PlaceOptions, Stance, Within};
+use stiffarm::place::{Margins, PlaceOptions, ToolOrientation, Within};
 
 /// What is asked of a cell.
 pub(super) struct CellOptions {
@@ -39,10 +39,10 @@ impl CellOptions {
         }
         let mount = self.mount.unwrap_or_else(|| Mount::pedestal(0.0));
         let mut cell = Cell { clearance: self.clearance, ..Cell::of(mount) };
-        let stance = stance(&mut cell, options.stance())?;
+        let tool_orientation = tool_orientation(&mut cell, options.tool_orientation())?;
         // The windows say where the work stands; where nothing is said, ahead and above the floor of the cell.
         let margins = Margins { front: false, floor: None, ..options.margins };
-        let options = PlaceOptions { stance: Some(stance), margins, ..*options };
+        let options = PlaceOptions { tool_orientation: Some(tool_orientation), margins, ..*options };
         Ok(self.placed(&options, cell))
     }
 
@@ -78,18 +78,18 @@ impl CellOptions {
 }
 
 /// How the tool is held, as the robot sees it.
-fn stance(cell: &mut Cell, asked: Stance) -> Result<Stance, Unsupported> {
+fn tool_orientation(cell: &mut Cell, asked: ToolOrientation) -> Result<ToolOrientation, Unsupported> {
     let mount = cell.mount;
     if mount.is_vertical() {
         let up = mount.uprightness().signum();
-        return Ok(Stance { elevation: up * asked.elevation, yaw: asked.yaw.affine(up, 0.0), ..asked });
+        return Ok(ToolOrientation { elevation: up * asked.elevation, yaw: asked.yaw.affine(up, 0.0), ..asked });
     }
     if !asked.is_vertical() {
         return Err(Unsupported::Leaning);
     }
     let axis = mount.cell_from_base.rotation.inverse() * (Vector3::z() * asked.elevation.signum());
     cell.azimuth = Some(axis.y.atan2(axis.x));
-    Ok(Stance { roll: asked.roll, ..Stance::tool_at(axis.z.clamp(-1.0, 1.0).asin()) })
+    Ok(ToolOrientation { roll: asked.roll, ..ToolOrientation::tool_at(axis.z.clamp(-1.0, 1.0).asin()) })
 }
 
 #[cfg(test)]
@@ -99,7 +99,7 @@ mod tests {
     use super::*;
     use stiffarm::load::Load;
 
-    fn asked(mount: Mount, stance: Stance) -> Result<PlaceOptions, Unsupported> {
+    fn asked(mount: Mount, tool_orientation: ToolOrientation) -> Result<PlaceOptions, Unsupported> {
         let wish = CellOptions {
             mount: Some(mount),
             windows: Vec::new(),
@@ -108,22 +108,22 @@ mod tests {
             has_floor: false,
             is_at: false,
         };
-        wish.of(&PlaceOptions { stance: Some(stance), ..PlaceOptions::under(Load::PAPER) }, true)
+        wish.of(&PlaceOptions { tool_orientation: Some(tool_orientation), ..PlaceOptions::under(Load::PAPER) }, true)
     }
 
     #[test]
     fn a_tool_that_points_down_points_where_the_mount_has_down() {
         let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
-        let hanging = asked(Mount::ceiling(3.0), Stance::tool_down()).unwrap();
-        close(hanging.stance().elevation, FRAC_PI_2);
+        let hanging = asked(Mount::ceiling(3.0), ToolOrientation::tool_down()).unwrap();
+        close(hanging.tool_orientation().elevation, FRAC_PI_2);
         // From the ceiling down to the floor are heights of 0 to 3 m.
         close(hanging.within.unwrap().z.max(), 3.0);
-        let raised = asked(Mount::pedestal(0.5), Stance::tool_down()).unwrap();
+        let raised = asked(Mount::pedestal(0.5), ToolOrientation::tool_down()).unwrap();
         close(raised.within.unwrap().z.min(), -0.5);
         // On a wall the robot's x axis points down.
-        let wall = asked(Mount::wall(2.0), Stance::tool_down()).unwrap();
-        close(wall.stance().elevation, 0.0);
+        let wall = asked(Mount::wall(2.0), ToolOrientation::tool_down()).unwrap();
+        close(wall.tool_orientation().elevation, 0.0);
         close(wall.cell.unwrap().azimuth.unwrap(), 0.0);
-        assert_eq!(asked(Mount::wall(2.0), Stance::tool_at(0.0)), Err(Unsupported::Leaning));
+        assert_eq!(asked(Mount::wall(2.0), ToolOrientation::tool_at(0.0)), Err(Unsupported::Leaning));
     }
 }

@@ -47,7 +47,7 @@ impl Request {
     }
 }
 
-/// Values as they are typed: with commas between where that is how they are told apart.
+/// Values as they are typed: with commas between where that is how they are distinguished.
 fn typed(setting: &Setting, texts: &[String]) -> Vec<String> {
     let trimmed: Vec<String> = texts.iter().map(|text| text.trim().to_owned()).collect();
     let is_joined = setting.is_list() && trimmed.iter().all(|text| !text.contains([',', ';']));

@@ -46,7 +46,7 @@ impl Request {
         Err(self.refused(opt::REGIONS, "says nothing of this model; expected the model regions, or auto".into()))
     }
 
-    /// Several markers are told apart by names.
+    /// Several markers are distinguished by names.
     pub(super) fn check_markers(&self) -> Result<(), Refusal> {
         if !matches!(self.verb, Verb::Identify | Verb::Measure) {
             return Ok(());

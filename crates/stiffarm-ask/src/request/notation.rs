@@ -491,10 +491,10 @@ mod tests {
             Ok(Window::Ring { ahead: open_range("1..").unwrap(), z: open_range("..0.8").unwrap() })
         );
         assert!(block("1..2,0..1", "m", false).is_err());
-        let told = |text: &str, of: &str, is_bounded| block(text, of, is_bounded).unwrap_err();
-        assert_eq!(told("500..900,0..1,0..1", "m", false), "'500..900' lies beyond 100 m; the ranges are in m");
+        let refusal = |text: &str, of: &str, is_bounded| block(text, of, is_bounded).unwrap_err();
+        assert_eq!(refusal("500..900,0..1,0..1", "m", false), "'500..900' lies beyond 100 m; the ranges are in m");
         assert!(block("500..900,..1,0..1", "mm", false).is_ok() && block("..,0..1,0..1", "m", false).is_ok());
-        assert!(told("..9,0..1,0..1", "mm", true).ends_with("in mm; both ends of all three ranges"));
+        assert!(refusal("..9,0..1,0..1", "mm", true).ends_with("in mm; both ends of all three ranges"));
         assert!(window("1..2,3..4,5..6,7..8").is_err());
         assert_eq!(mount("floor"), Ok(Mount::pedestal(0.0)));
         assert_eq!(mount("wall:2.5@90"), Ok(Mount::wall(2.5).turned(90_f64.to_radians())));

@@ -5,7 +5,7 @@ use super::opt;
 use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::ModelKind;
-use stiffarm::place::{Margins, Orientation, PlaceOptions, Stance, Within};
+use stiffarm::place::{Margins, Orientation, PlaceOptions, ToolOrientation, Within};
 use stiffarm::spatial::Pose;
 use stiffarm::task::{Task, Zone};
 
@@ -106,15 +106,15 @@ impl PlaceRequest {
                 Ok(PlaceOptions { orientation: self.angle.orientation(zone), ..asked })
             }
             ModelKind::Spatial(_) => {
-                let (stance, orientation) = (tool.stance()?, self.on_a_plane(tool, zone)?);
-                Ok(PlaceOptions { orientation, stance: Some(stance), ..asked })
+                let (tool_orientation, orientation) = (tool.tool_orientation()?, self.on_a_plane(tool, zone)?);
+                Ok(PlaceOptions { orientation, tool_orientation: Some(tool_orientation), ..asked })
             }
         }
     }
 
     /// Of a rectangle on a table or a wall.
     fn on_a_plane(&self, tool: &ToolPose, zone: Option<Zone>) -> Result<Orientation, Unsupported> {
-        let is_wall = !Stance::tool_at(tool.elevation()).is_vertical();
+        let is_wall = !ToolOrientation::tool_at(tool.elevation()).is_vertical();
         // On a wall 0 has the first side upright.
         let long_side_at = |upright: f64, lying: f64| {
             zone.map_or(Orientation::Axes, |zone| {
@@ -134,12 +134,12 @@ impl PlaceRequest {
 }
 
 impl ToolPose {
-    fn stance(&self) -> Result<Stance, Unsupported> {
-        let usual = Stance::tool_at(self.elevation());
+    fn tool_orientation(&self) -> Result<ToolOrientation, Unsupported> {
+        let usual = ToolOrientation::tool_at(self.elevation());
         if self.yaw.is_some() && usual.is_vertical() {
             return Err(Unsupported::Yaw);
         }
-        Ok(Stance { yaw: self.yaw.unwrap_or(usual.yaw), roll: self.roll(), ..usual })
+        Ok(ToolOrientation { yaw: self.yaw.unwrap_or(usual.yaw), roll: self.roll(), ..usual })
     }
 
     /// Of the tool axis above the horizontal, rad.

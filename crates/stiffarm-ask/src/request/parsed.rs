@@ -262,18 +262,18 @@ impl Request {
             Orientation::Free => return Err(Unsupported::FreeAtOnePlace),
         };
         options.orientation = Orientation::Fixed(angle);
-        let half: [f64; 2] = match &mut options.stance {
+        let half: [f64; 2] = match &mut options.tool_orientation {
             None => zone.half_extents(angle).into(),
-            Some(stance) => {
-                if !stance.is_vertical() && self.tool_pose().yaw.is_none() {
-                    stance.yaw = Interval::point(0.0);
+            Some(tool_orientation) => {
+                if !tool_orientation.is_vertical() && self.tool_pose().yaw.is_none() {
+                    tool_orientation.yaw = Interval::point(0.0);
                 }
-                if !stance.is_vertical() && 0.0 < stance.yaw.width() {
+                if !tool_orientation.is_vertical() && 0.0 < tool_orientation.yaw.width() {
                     return Err(Unsupported::YawAtOnePlace);
                 }
-                let yaw = if stance.is_vertical() { 0.0 } else { stance.yaw.min() };
+                let yaw = if tool_orientation.is_vertical() { 0.0 } else { tool_orientation.yaw.min() };
                 let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw, angle, roll: 0.0 };
-                let [x, _, z] = WorkPlane::of(stance.elevation, &work).half_extents(zone);
+                let [x, _, z] = WorkPlane::of(tool_orientation.elevation, &work).half_extents(zone);
                 [x, z]
             }
         };

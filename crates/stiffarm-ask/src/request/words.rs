@@ -90,7 +90,7 @@ words! { ModelName {
 }}
 words! { StiffnessOf {
     Self::Paper, "paper", "1 urad/(N m) on every drive, as the paper assumes";
-    Self::Prior, "prior", "As published of the robot, else as robots of its payload and reach have it; and how far that may be off";
+    Self::Prior, "prior", "As published of the robot, else as robots of its payload and reach have it; with its uncertainty";
     Self::File, "file", "As the robot file has it; robots whose file says nothing are refused";
 }}
 words! { ForceAxes {

@@ -34,7 +34,7 @@ fn is_one_inode(a: &Path, b: &Path) -> bool {
     matches!((inode(a), inode(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-/// Names of one file are told apart by their paths alone.
+/// Names of one file are distinguished by their paths alone.
 #[cfg(not(unix))]
 fn is_one_inode(_: &Path, _: &Path) -> bool {
     false

@@ -84,15 +84,18 @@ impl Report {
             let lengths = lengths.map(|(name, m)| format!("{name} {}", (m * 1e6).round() / 1e3));
             rows.push(("lengths", format!("{} mm", lengths.join(", "))));
             let list = |values: [f64; 6]| values.map(|x| format!("{}", (x * 1e4).round() / 1e4)).join(", ");
-            rows.push(("zero offsets", format!("{} deg", list(geometry.offset.map(|angle| Unit::Degree.told(angle))))));
+            rows.push((
+                "zero offsets",
+                format!("{} deg", list(geometry.offset.map(|angle| Unit::Degree.of_si(angle)))),
+            ));
             rows.push(("signs", list(geometry.sign)));
             let ranges = limits.joints.map(|range| {
-                let end = |x: f64| (Unit::Degree.told(x) * 1e2).round() / 1e2;
+                let end = |x: f64| (Unit::Degree.of_si(x) * 1e2).round() / 1e2;
                 format!("{}..{}", end(range.min()), end(range.max()))
             });
             rows.push(("limits", format!("{} deg", ranges.join(", "))));
             let speeds =
-                limits.speeds.map(|speeds| format!("{} deg/s", list(speeds.map(|speed| Unit::Degree.told(speed)))));
+                limits.speeds.map(|speeds| format!("{} deg/s", list(speeds.map(|speed| Unit::Degree.of_si(speed)))));
             rows.push(("speeds", speeds.unwrap_or_else(|| "-".into())));
         }
         rows.extend(notes.iter().map(|note| ("note", note.clone())));
@@ -101,7 +104,7 @@ impl Report {
             format!(
                 "at {SAMPLES} postures, and uphill from the worst, against {compared_with}: largest error {} um, {:.5} deg",
                 micrometres(*largest_error),
-                Unit::Degree.told(*largest_turn)
+                Unit::Degree.of_si(*largest_turn)
             ),
         ));
         rows

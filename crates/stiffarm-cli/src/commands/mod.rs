@@ -1,10 +1,10 @@
 //! What is typed: a question is asked and its answer delivered; and one file for each of the program's own commands.
 
 pub(crate) mod check;
+mod data_sheet;
 pub(crate) mod import;
 pub(crate) mod paper;
 pub(crate) mod robots;
-mod sheet;
 pub(crate) mod shell;
 pub(crate) mod validate;
 

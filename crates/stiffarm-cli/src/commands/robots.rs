@@ -5,7 +5,7 @@ use stiffarm_ask::ask::{AskError, Context, forms, selection};
 use stiffarm_ask::figures::FigureSize;
 use stiffarm_ask::request::Request;
 
-use super::sheet::{self, Sheet};
+use super::data_sheet::{self, DataSheet};
 use crate::args::RobotsAction;
 use crate::common::Common;
 use crate::failure::Failure;
@@ -25,11 +25,11 @@ pub(crate) fn listed(words: &[String], asked: &Request, common: &Common) -> Resu
 }
 
 fn show(robot: &str, width_mm: Option<f64>, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open(common, sheet::FORMS)?;
-    outputs.deliver(&sheet_of(robot, width_mm, common.context())?)
+    let outputs = Outputs::open(common, data_sheet::FORMS)?;
+    outputs.deliver(&data_sheet_of(robot, width_mm, common.context())?)
 }
 
 /// What is known of one robot.
-pub(crate) fn sheet_of(robot: &str, width_mm: Option<f64>, context: Context) -> Result<Sheet, AskError> {
-    Ok(Sheet(selection::robot(robot, context)?, FigureSize { width_mm, scale: None }))
+pub(crate) fn data_sheet_of(robot: &str, width_mm: Option<f64>, context: Context) -> Result<DataSheet, AskError> {
+    Ok(DataSheet(selection::robot(robot, context)?, FigureSize { width_mm, scale: None }))
 }

@@ -4,8 +4,8 @@ use resvg::usvg::Tree;
 use stiffarm_ask::answer::{Headline, Tone};
 
 use super::face::Cut;
-use super::sheet::{
-    BAD, Colour, FAINT, GOOD, GREY, HEIGHT, INK, LEFT, Mark, OPEN, PLAIN, PROSE, RIGHT, SHADE, Sheet, Style, WIDTH,
+use super::page::{
+    BAD, Colour, FAINT, GOOD, GREY, HEIGHT, INK, LEFT, Mark, OPEN, PLAIN, PROSE, Page, RIGHT, SHADE, Style, WIDTH,
 };
 use super::table;
 use stiffarm_ask::report::{Block, Report, Section};
@@ -27,23 +27,23 @@ const HIGHEST: f32 = 0.86 * HEIGHT;
 const PAD: f32 = 9.0;
 
 /// Fills pages with a report.
-pub(super) fn draw(sheet: &mut Sheet, report: &Report, figures: &[Tree]) {
-    sheet.paragraph(LEFT, &report.title, TITLE);
-    sheet.skip(2.0);
-    sheet.paragraph(LEFT, &report.asked, Style { colour: GREY, ..TEXT });
-    sheet.skip(12.0);
-    verdict(sheet, &report.headline);
-    heading(sheet, "What this rests on", 40.0);
-    notes(sheet, &report.headline.rests_on, TEXT);
+pub(super) fn draw(page: &mut Page, report: &Report, figures: &[Tree]) {
+    page.paragraph(LEFT, &report.title, TITLE);
+    page.skip(2.0);
+    page.paragraph(LEFT, &report.asked, Style { colour: GREY, ..TEXT });
+    page.skip(12.0);
+    verdict(page, &report.headline);
+    heading(page, "What this rests on", 40.0);
+    notes(page, &report.headline.rests_on, TEXT);
     let mut drawn = 0;
     for one in &report.sections {
-        section(sheet, one, figures, &mut drawn);
+        section(page, one, figures, &mut drawn);
     }
-    sign(sheet);
+    sign(page);
 }
 
 /// The answer in a frame of its colour.
-fn verdict(sheet: &mut Sheet, headline: &Headline) {
+fn verdict(page: &mut Page, headline: &Headline) {
     let colour: Colour = match headline.outcome.tone() {
         Tone::Good => GOOD,
         Tone::Bad => BAD,
@@ -55,59 +55,59 @@ fn verdict(sheet: &mut Sheet, headline: &Headline) {
     let mut lines = vec![(headline.outcome.word().to_uppercase(), word)];
     for (i, sentence) in headline.sentences.iter().enumerate() {
         let style = if i == 0 { Style::new(Cut::Bold, 10.4, colour) } else { Style { colour, ..TEXT } };
-        lines.extend(sheet.broken(sentence, style, room).into_iter().map(|line| (line, style)));
+        lines.extend(page.broken(sentence, style, room).into_iter().map(|line| (line, style)));
     }
     // What is longer than a page goes on without a frame.
     let height = lines.iter().map(|(_, style)| style.leading()).sum::<f32>() + 2.0 * PAD;
-    sheet.reserve(height.min(HEIGHT));
-    let top = sheet.y;
-    let framed = height.min(sheet.left());
+    page.reserve(height.min(HEIGHT));
+    let top = page.y;
+    let framed = height.min(page.left());
     for (at, size) in [
         ([LEFT, top], [5.0, framed]),
         ([LEFT, top], [WIDTH, 0.7]),
         ([LEFT, top + framed - 0.7], [WIDTH, 0.7]),
         ([RIGHT - 0.7, top], [0.7, framed]),
     ] {
-        sheet.draw(Mark::Box { at, size, colour });
+        page.draw(Mark::Box { at, size, colour });
     }
-    sheet.y += PAD;
+    page.y += PAD;
     for (line, style) in lines {
-        sheet.reserve(style.leading());
-        sheet.line(x, &line, style);
+        page.reserve(style.leading());
+        page.line(x, &line, style);
     }
-    sheet.y += PAD;
-    sheet.skip(12.0);
+    page.y += PAD;
+    page.skip(12.0);
 }
 
-fn section(sheet: &mut Sheet, section: &Section, figures: &[Tree], drawn: &mut usize) {
+fn section(page: &mut Page, section: &Section, figures: &[Tree], drawn: &mut usize) {
     if section.on_new_page {
-        sheet.new_page();
+        page.new_page();
     }
-    sheet.skip(16.0);
-    sheet.reserve((40.0 + kept(sheet, &section.blocks, &figures[*drawn..])).min(HEIGHT));
-    if !sheet.is_fresh() {
-        sheet.rule([LEFT, RIGHT], sheet.y, 1.2, FAINT);
-        sheet.y += 8.0;
+    page.skip(16.0);
+    page.reserve((40.0 + kept(page, &section.blocks, &figures[*drawn..])).min(HEIGHT));
+    if !page.is_fresh() {
+        page.rule([LEFT, RIGHT], page.y, 1.2, FAINT);
+        page.y += 8.0;
     }
-    sheet.headings.push((section.title.clone(), sheet.pages.len() - 1, sheet.y));
-    sheet.paragraph(LEFT, &section.title, SECTION);
-    sheet.skip(4.0);
+    page.headings.push((section.title.clone(), page.pages.len() - 1, page.y));
+    page.paragraph(LEFT, &section.title, SECTION);
+    page.skip(4.0);
     for (i, block) in section.blocks.iter().enumerate() {
         match block {
             Block::Text(text) => {
-                sheet.paragraph(LEFT, text, TEXT);
-                sheet.skip(5.0);
+                page.paragraph(LEFT, text, TEXT);
+                page.skip(5.0);
             }
             Block::Heading(text) => {
-                let follows = kept(sheet, &section.blocks[i + 1..], &figures[*drawn..]);
-                heading(sheet, text, follows);
+                let follows = kept(page, &section.blocks[i + 1..], &figures[*drawn..]);
+                heading(page, text, follows);
             }
-            Block::Notes(lines) => notes(sheet, lines, NOTE),
-            Block::Table(listing) => table::draw(sheet, &listing.table),
-            Block::Code(text) => code(sheet, text),
+            Block::Notes(lines) => notes(page, lines, NOTE),
+            Block::Table(listing) => table::draw(page, &listing.table),
+            Block::Code(text) => code(page, text),
             Block::Figure(one) => {
                 if let Some(tree) = figures.get(*drawn) {
-                    figure(sheet, tree, *drawn, &one.caption);
+                    figure(page, tree, *drawn, &one.caption);
                 }
                 *drawn += 1;
             }
@@ -116,14 +116,14 @@ fn section(sheet: &mut Sheet, section: &Section, figures: &[Tree], drawn: &mut u
 }
 
 /// How much of what follows a heading stands on its page: texts, and the first table or figure behind them.
-fn kept(sheet: &Sheet, blocks: &[Block], figures: &[Tree]) -> f32 {
+fn kept(page: &Page, blocks: &[Block], figures: &[Tree]) -> f32 {
     let mut height = 0.0;
     for block in blocks {
         height += match block {
-            Block::Text(text) => sheet.broken(text, TEXT, WIDTH).len() as f32 * TEXT.leading() + 5.0,
+            Block::Text(text) => page.broken(text, TEXT, WIDTH).len() as f32 * TEXT.leading() + 5.0,
             Block::Notes(lines) => lines.len() as f32 * NOTE.leading() + 7.0,
             Block::Heading(_) => HEADING.leading() + 8.0,
-            Block::Table(listing) => return height + table::least(sheet, &listing.table),
+            Block::Table(listing) => return height + table::least(page, &listing.table),
             Block::Figure(_) => return height + figures.first().map_or(0.0, |tree| LEAST_SCALE * placed(tree) + 40.0),
             Block::Code(_) => return height + 5.0 * CODE.leading(),
         };
@@ -131,25 +131,25 @@ fn kept(sheet: &Sheet, blocks: &[Block], figures: &[Tree]) -> f32 {
     height
 }
 
-fn heading(sheet: &mut Sheet, text: &str, follows: f32) {
-    sheet.skip(6.0);
-    sheet.reserve((HEADING.leading() + 4.0 + follows).min(HEIGHT));
-    sheet.paragraph(LEFT, text, HEADING);
-    sheet.skip(2.0);
+fn heading(page: &mut Page, text: &str, follows: f32) {
+    page.skip(6.0);
+    page.reserve((HEADING.leading() + 4.0 + follows).min(HEIGHT));
+    page.paragraph(LEFT, text, HEADING);
+    page.skip(2.0);
 }
 
-fn notes(sheet: &mut Sheet, lines: &[String], style: Style) {
+fn notes(page: &mut Page, lines: &[String], style: Style) {
     for line in lines {
-        let broken = sheet.broken(line, style, WIDTH - 10.0);
-        sheet.reserve(style.leading() * broken.len().min(3) as f32);
-        let bullet = sheet.y + style.size;
-        sheet.text_at([LEFT, bullet], "\u{2022}", style);
+        let broken = page.broken(line, style, WIDTH - 10.0);
+        page.reserve(style.leading() * broken.len().min(3) as f32);
+        let bullet = page.y + style.size;
+        page.text_at([LEFT, bullet], "\u{2022}", style);
         for line in broken {
-            sheet.reserve(style.leading());
-            sheet.line(LEFT + 10.0, &line, style);
+            page.reserve(style.leading());
+            page.line(LEFT + 10.0, &line, style);
         }
     }
-    sheet.skip(7.0);
+    page.skip(7.0);
 }
 
 /// How high a figure stands at its own size, points.
@@ -163,29 +163,29 @@ fn own_scale(tree: &Tree) -> f32 {
 }
 
 /// A picture, shrunk a little where that keeps it on the page.
-fn figure(sheet: &mut Sheet, tree: &Tree, number: usize, caption: &str) {
-    let caption = sheet.broken(&format!("Figure {}. {caption}", number + 1), NOTE, WIDTH);
+fn figure(page: &mut Page, tree: &Tree, number: usize, caption: &str) {
+    let caption = page.broken(&format!("Figure {}. {caption}", number + 1), NOTE, WIDTH);
     let below = caption.len() as f32 * NOTE.leading() + 12.0;
     let own = own_scale(tree);
-    let left = (sheet.left() - below) / (tree.size().height() * own);
+    let left = (page.left() - below) / (tree.size().height() * own);
     if left < LEAST_SCALE {
-        sheet.new_page();
+        page.new_page();
     }
-    let fits = ((sheet.left() - below) / (tree.size().height() * own)).min(1.0);
+    let fits = ((page.left() - below) / (tree.size().height() * own)).min(1.0);
     let scale = own * fits;
     let x = LEFT + (WIDTH - tree.size().width() * scale) / 2.0;
-    sheet.draw(Mark::Figure { at: [x, sheet.y], number, scale });
-    sheet.y += tree.size().height() * scale + 3.0;
+    page.draw(Mark::Figure { at: [x, page.y], number, scale });
+    page.y += tree.size().height() * scale + 3.0;
     for line in caption {
-        sheet.line(LEFT, &line, NOTE);
+        page.line(LEFT, &line, NOTE);
     }
-    sheet.y += 7.0;
+    page.y += 7.0;
 }
 
 /// Letter by letter; lines that are too long go on below.
-fn code(sheet: &mut Sheet, text: &str) {
+fn code(page: &mut Page, text: &str) {
     let room = WIDTH - 2.0 * PAD;
-    let face = sheet.faces.of(CODE.cut);
+    let face = page.faces.of(CODE.cut);
     let mut lines: Vec<String> = Vec::new();
     for line in text.trim_end().lines() {
         let mut rest = line;
@@ -200,26 +200,26 @@ fn code(sheet: &mut Sheet, text: &str) {
     }
     let height = CODE.leading();
     if (lines.len() as f32) < 12.0 {
-        sheet.reserve(height * lines.len() as f32 + PAD);
+        page.reserve(height * lines.len() as f32 + PAD);
     }
     for line in lines {
-        sheet.reserve(height);
-        sheet.draw(Mark::Box { at: [LEFT, sheet.y - 1.0], size: [WIDTH, height + 0.4], colour: SHADE });
-        sheet.line(LEFT + PAD, &line, CODE);
+        page.reserve(height);
+        page.draw(Mark::Box { at: [LEFT, page.y - 1.0], size: [WIDTH, height + 0.4], colour: SHADE });
+        page.line(LEFT + PAD, &line, CODE);
     }
-    sheet.y += 9.0;
+    page.y += 9.0;
 }
 
 /// Who answers for it.
-fn sign(sheet: &mut Sheet) {
-    sheet.reserve(60.0);
-    sheet.y += 40.0;
+fn sign(page: &mut Page) {
+    page.reserve(60.0);
+    page.y += 40.0;
     let (gap, count) = (24.0, 3.0);
     let width = (WIDTH - (count - 1.0) * gap) / count;
     for (i, what) in ["date", "computed by", "checked by"].into_iter().enumerate() {
         let x = LEFT + i as f32 * (width + gap);
-        sheet.rule([x, x + width], sheet.y, 0.6, INK);
-        sheet.text_at([x, sheet.y + 11.0], what, NOTE);
+        page.rule([x, x + width], page.y, 0.6, INK);
+        page.text_at([x, page.y + 11.0], what, NOTE);
     }
-    sheet.y += 14.0;
+    page.y += 14.0;
 }

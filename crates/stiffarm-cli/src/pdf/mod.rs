@@ -4,7 +4,7 @@
 
 mod blocks;
 mod face;
-mod sheet;
+mod page;
 mod table;
 
 use krilla::color::rgb;
@@ -22,7 +22,7 @@ use stiffarm_ask::report::Report;
 
 use crate::raster::{RasterError, tree};
 use face::{Cut, Faces};
-use sheet::{Colour, FAINT, GREY, LEFT, Mark, PAGE, RIGHT, Sheet, Style};
+use page::{Colour, FAINT, GREY, LEFT, Mark, PAGE, Page, RIGHT, Style};
 
 /// A report as a PDF file, its texts as texts.
 ///
@@ -32,14 +32,14 @@ pub(crate) fn of(report: &Report) -> Result<Vec<u8>, RasterError> {
     let odd = |what: &str| RasterError::Pdf(what.to_owned());
     let faces = Faces::new().ok_or_else(|| odd("a font is missing"))?;
     let figures: Vec<Tree> = report.figures().map(|one| tree(&one.svg)).collect::<Result<_, _>>()?;
-    let mut sheet = Sheet::new(&faces);
-    blocks::draw(&mut sheet, report, &figures);
-    footers(&mut sheet, &report.title);
+    let mut page = Page::new(&faces);
+    blocks::draw(&mut page, report, &figures);
+    footers(&mut page, &report.title);
     let mut document = krilla::Document::new();
     let made_by = concat!("stiffarm ", env!("CARGO_PKG_VERSION"));
     document.set_metadata(Metadata::new().title(report.title.clone()).language("en".into()).creator(made_by.into()));
     let settings = || Size::from_wh(PAGE[0], PAGE[1]).map(PageSettings::new).ok_or_else(|| odd("a page has no size"));
-    for marks in &sheet.pages {
+    for marks in &page.pages {
         let mut page = document.start_page_with(settings()?);
         let mut surface = page.surface();
         for mark in marks {
@@ -48,17 +48,17 @@ pub(crate) fn of(report: &Report) -> Result<Vec<u8>, RasterError> {
         surface.finish();
         page.finish();
     }
-    document.set_outline(outline(&sheet));
+    document.set_outline(outline(&page));
     document.finish().map_err(|error| RasterError::Pdf(format!("{error:?}")))
 }
 
 /// Title and number of every page.
-fn footers(sheet: &mut Sheet, title: &str) {
+fn footers(page: &mut Page, title: &str) {
     let style = Style::new(Cut::Plain, 7.5, GREY);
-    let (count, y) = (sheet.pages.len(), PAGE[1] - 30.0);
-    let face = sheet.faces.of(style.cut);
-    let title = sheet::one_line(face, title, style.size, 0.8 * (RIGHT - LEFT));
-    for (i, page) in sheet.pages.iter_mut().enumerate() {
+    let (count, y) = (page.pages.len(), PAGE[1] - 30.0);
+    let face = page.faces.of(style.cut);
+    let title = page::one_line(face, title, style.size, 0.8 * (RIGHT - LEFT));
+    for (i, page) in page.pages.iter_mut().enumerate() {
         let number = format!("{} / {count}", i + 1);
         let x = RIGHT - face.width(&number, style.size);
         page.push(Mark::Box { at: [LEFT, y - 11.0], size: [RIGHT - LEFT, 0.4], colour: FAINT });
@@ -68,9 +68,9 @@ fn footers(sheet: &mut Sheet, title: &str) {
 }
 
 /// Headings for the reader's list of contents.
-fn outline(sheet: &Sheet) -> Outline {
+fn outline(page: &Page) -> Outline {
     let mut outline = Outline::new();
-    for (text, page, y) in &sheet.headings {
+    for (text, page, y) in &page.headings {
         outline.push_child(OutlineNode::new(text.clone(), XyzDestination::new(*page, Point::from_xy(LEFT, *y))));
     }
     outline
@@ -109,7 +109,7 @@ fn draw(surface: &mut Surface, mark: &Mark, faces: &Faces, figures: &[Tree]) -> 
 mod tests {
     use stiffarm_ask::answer::{Headline, Outcome, Table};
 
-    use super::sheet::{BOTTOM, TOP};
+    use super::page::{BOTTOM, TOP};
     use super::*;
     use stiffarm_ask::report::{Block, Listing, Section};
 
@@ -147,11 +147,11 @@ mod tests {
     fn nothing_leaves_its_page_and_no_row_and_no_figure_is_cut() {
         let (report, faces) = (report(), Faces::new().unwrap());
         let figures: Vec<Tree> = report.figures().map(|one| tree(&one.svg).unwrap()).collect();
-        let mut sheet = Sheet::new(&faces);
-        blocks::draw(&mut sheet, &report, &figures);
-        assert!(8 < sheet.pages.len());
+        let mut page = Page::new(&faces);
+        blocks::draw(&mut page, &report, &figures);
+        assert!(8 < page.pages.len());
         let mut drawn = 0;
-        for mark in sheet.pages.iter().flatten() {
+        for mark in page.pages.iter().flatten() {
             let ([left, top], [right, bottom]) = match mark {
                 Mark::Text { at: [x, y], text, style } => {
                     ([*x, y - style.size], [x + faces.of(style.cut).width(text, style.size), *y])
@@ -170,14 +170,13 @@ mod tests {
         assert_eq!(drawn, 4);
         // A row's number and its name stand on one page.
         let page_of = |wanted: &str| {
-            sheet
-                .pages
+            page.pages
                 .iter()
                 .position(|page| page.iter().any(|mark| matches!(mark, Mark::Text { text, .. } if text == wanted)))
         };
         assert!((0..200).all(|i| page_of(&format!("row_{i}")).is_some()));
         // Headings of the long table stand on every page that it has.
-        let heads = sheet
+        let heads = page
             .pages
             .iter()
             .filter(|page| page.iter().any(|mark| matches!(mark, Mark::Text { text, .. } if text == "a name")));

@@ -3,7 +3,7 @@
 use stiffarm_ask::answer::Table;
 
 use super::face::Cut;
-use super::sheet::{BAD, Colour, FAINT, GOOD, GREY, LEFT, PROSE, RIGHT, Sheet, Style, WIDTH};
+use super::page::{BAD, Colour, FAINT, GOOD, GREY, LEFT, PROSE, Page, RIGHT, Style, WIDTH};
 use stiffarm_ask::answer::looks_like_a_number;
 
 /// Sizes of the letters, points: the first with which no word is broken.
@@ -28,51 +28,51 @@ struct Laid {
 }
 
 /// Draws a table.
-pub(super) fn draw(sheet: &mut Sheet, table: &Table) {
+pub(super) fn draw(page: &mut Page, table: &Table) {
     if table.rows.is_empty() || table.headings.is_empty() {
         return;
     }
-    let laid = laid(sheet, table);
-    let rows: Vec<Vec<Vec<String>>> = table.rows.iter().map(|row| laid.broken(sheet, row, Cut::Plain)).collect();
-    let head = (!laid.names_lines).then(|| laid.broken(sheet, &table.headings, Cut::Bold));
+    let laid = laid(page, table);
+    let rows: Vec<Vec<Vec<String>>> = table.rows.iter().map(|row| laid.broken(page, row, Cut::Plain)).collect();
+    let head = (!laid.names_lines).then(|| laid.broken(page, &table.headings, Cut::Bold));
     let of_head = head.as_ref().map_or(0.0, |head| laid.height(head));
     let whole = of_head + rows.iter().map(|row| laid.height(row)).sum::<f32>();
-    if rows.len() <= FEW && whole <= super::sheet::HEIGHT {
-        sheet.reserve(whole);
+    if rows.len() <= FEW && whole <= super::page::HEIGHT {
+        page.reserve(whole);
     }
     // No heading stands alone at the foot of a page.
-    sheet.reserve(of_head + rows.iter().take(2).map(|row| laid.height(row)).sum::<f32>());
-    laid.head(sheet, head.as_deref());
+    page.reserve(of_head + rows.iter().take(2).map(|row| laid.height(row)).sum::<f32>());
+    laid.head(page, head.as_deref());
     for row in &rows {
-        if sheet.left() < laid.height(row) {
-            sheet.new_page();
-            laid.head(sheet, head.as_deref());
+        if page.left() < laid.height(row) {
+            page.new_page();
+            laid.head(page, head.as_deref());
         }
-        laid.row(sheet, row, Style::new(Cut::Plain, laid.size, PROSE));
-        sheet.rule([LEFT, laid.right()], sheet.y, 0.4, FAINT);
+        laid.row(page, row, Style::new(Cut::Plain, laid.size, PROSE));
+        page.rule([LEFT, laid.right()], page.y, 0.4, FAINT);
     }
-    sheet.y += 9.0;
+    page.y += 9.0;
 }
 
 /// How much room a table needs to begin on a page: all of it where it is short.
-pub(super) fn least(sheet: &Sheet, table: &Table) -> f32 {
+pub(super) fn least(page: &Page, table: &Table) -> f32 {
     if table.rows.is_empty() || table.headings.is_empty() {
         return 0.0;
     }
-    let laid = laid(sheet, table);
-    let rows = || table.rows.iter().map(|row| laid.height(&laid.broken(sheet, row, Cut::Plain)));
-    let of_head = laid.height(&laid.broken(sheet, &table.headings, Cut::Bold));
+    let laid = laid(page, table);
+    let rows = || table.rows.iter().map(|row| laid.height(&laid.broken(page, row, Cut::Plain)));
+    let of_head = laid.height(&laid.broken(page, &table.headings, Cut::Bold));
     let whole = of_head + rows().sum::<f32>();
-    if table.rows.len() <= FEW && whole <= super::sheet::HEIGHT { whole } else { of_head + rows().take(2).sum::<f32>() }
+    if table.rows.len() <= FEW && whole <= super::page::HEIGHT { whole } else { of_head + rows().take(2).sum::<f32>() }
 }
 
 /// Widths and size: what every column needs where there is room, else the room is shared by how much more than its longest word each needs.
-fn laid(sheet: &Sheet, table: &Table) -> Laid {
+fn laid(page: &Page, table: &Table) -> Laid {
     let count = table.headings.len();
     let names_lines = count == 2 && table.headings.iter().all(String::is_empty);
     let is_number =
         (0..count).map(|i| !names_lines && table.rows.iter().all(|row| looks_like_a_number(&row[i]))).collect();
-    let needs = |size: f32| -> Vec<[f32; 2]> { (0..count).map(|i| needed(sheet, table, i, size)).collect() };
+    let needs = |size: f32| -> Vec<[f32; 2]> { (0..count).map(|i| needed(page, table, i, size)).collect() };
     let room = |size: f32| WIDTH - BETWEEN * size * (count - 1) as f32;
     let fits = |size: &f32| needs(*size).iter().map(|need| need[0]).sum::<f32>() <= room(*size);
     // Whole lines are worth smaller letters, down to those that are still read with ease.
@@ -97,8 +97,8 @@ fn laid(sheet: &Sheet, table: &Table) -> Laid {
 }
 
 /// What a column needs: its longest word, and its longest cell.
-fn needed(sheet: &Sheet, table: &Table, i: usize, size: f32) -> [f32; 2] {
-    let (plain, bold) = (sheet.faces.of(Cut::Plain), sheet.faces.of(Cut::Bold));
+fn needed(page: &Page, table: &Table, i: usize, size: f32) -> [f32; 2] {
+    let (plain, bold) = (page.faces.of(Cut::Plain), page.faces.of(Cut::Bold));
     let cells = table.rows.iter().map(|row| (plain, row[i].as_str()));
     let all = cells.chain([(bold, table.headings[i].as_str())]);
     all.fold([0.0_f32; 2], |[word, whole], (face, text)| {
@@ -111,9 +111,9 @@ fn needed(sheet: &Sheet, table: &Table, i: usize, size: f32) -> [f32; 2] {
 
 impl Laid {
     /// Cells in lines.
-    fn broken(&self, sheet: &Sheet, cells: &[String], cut: Cut) -> Vec<Vec<String>> {
+    fn broken(&self, page: &Page, cells: &[String], cut: Cut) -> Vec<Vec<String>> {
         let of = |(cell, [_, width]): (&String, &[f32; 2])| {
-            let mut lines = sheet.faces.of(cut).lines(cell, self.size, width + 0.2);
+            let mut lines = page.faces.of(cut).lines(cell, self.size, width + 0.2);
             if MOST_LINES < lines.len() {
                 lines.truncate(MOST_LINES);
                 lines.extend(["...".to_owned()]);
@@ -125,34 +125,34 @@ impl Laid {
 
     fn height(&self, row: &[Vec<String>]) -> f32 {
         let lines = row.iter().map(Vec::len).max().unwrap_or(0).max(1);
-        lines as f32 * super::sheet::LEADING * self.size + 2.0 * WITHIN * self.size
+        lines as f32 * super::page::LEADING * self.size + 2.0 * WITHIN * self.size
     }
 
     fn right(&self) -> f32 {
         if self.names_lines { RIGHT } else { self.columns.last().map_or(RIGHT, |[x, width]| x + width) }
     }
 
-    fn head(&self, sheet: &mut Sheet, head: Option<&[Vec<String>]>) {
+    fn head(&self, page: &mut Page, head: Option<&[Vec<String>]>) {
         if let Some(head) = head {
-            self.row(sheet, head, Style::new(Cut::Bold, self.size, GREY));
-            sheet.rule([LEFT, self.right()], sheet.y, 0.9, FAINT);
+            self.row(page, head, Style::new(Cut::Bold, self.size, GREY));
+            page.rule([LEFT, self.right()], page.y, 0.9, FAINT);
         } else {
-            sheet.rule([LEFT, self.right()], sheet.y, 0.4, FAINT);
+            page.rule([LEFT, self.right()], page.y, 0.4, FAINT);
         }
     }
 
-    fn row(&self, sheet: &mut Sheet, row: &[Vec<String>], style: Style) {
-        let top = sheet.y + WITHIN * self.size;
+    fn row(&self, page: &mut Page, row: &[Vec<String>], style: Style) {
+        let top = page.y + WITHIN * self.size;
         for (i, (lines, [x, width])) in row.iter().zip(&self.columns).enumerate() {
             let colour = if style.cut == Cut::Bold { style.colour } else { self.colour(i, &lines.join(" ")) };
             let style = Style { colour, ..style };
             for (k, line) in lines.iter().enumerate() {
-                let own = sheet.faces.of(style.cut).width(line, style.size);
+                let own = page.faces.of(style.cut).width(line, style.size);
                 let x = if self.is_number[i] { x + width - own } else { *x };
-                sheet.text_at([x, top + style.size + k as f32 * style.leading()], line, style);
+                page.text_at([x, top + style.size + k as f32 * style.leading()], line, style);
             }
         }
-        sheet.y += self.height(row);
+        page.y += self.height(row);
     }
 
     /// Names are grey, verdicts have their colour.

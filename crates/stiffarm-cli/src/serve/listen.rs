@@ -33,7 +33,7 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Takes connections until it is told to end; then lets answers that are under way go out.
 pub(super) async fn listen(listener: TcpListener, server: Arc<Server>) {
     let (connections, open) = (Arc::new(Semaphore::new(MOST_CONNECTIONS)), GracefulShutdown::new());
-    let mut end = std::pin::pin!(told_to_end());
+    let mut end = std::pin::pin!(asked_to_end());
     loop {
         tokio::select! {
             () = &mut end => break,
@@ -86,7 +86,7 @@ fn patient(stream: TcpStream, time: Duration) -> Pin<Box<TimeoutStream<TcpStream
 }
 
 /// Until ctrl-C, or what systems send to end a program.
-async fn told_to_end() {
+async fn asked_to_end() {
     let interrupted = async {
         // Without signals the program ends as every other does.
         if tokio::signal::ctrl_c().await.is_err() {

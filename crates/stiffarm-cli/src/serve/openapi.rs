@@ -36,11 +36,16 @@ pub(super) fn description() -> Value {
     }
     let table = || json!({ "type": "object" });
     let sheets = || json!({ "type": "array", "items": table() });
-    paths.insert("/api/options".into(), json!({ "get": told("Every option of every verb", &[], &options_schema()) }));
+    paths.insert(
+        "/api/options".into(),
+        json!({ "get": operation("Every option of every verb", &[], &options_schema()) }),
+    );
     let filters: Vec<Value> = Verb::List.settings().map(parameter).chain([words()]).collect();
-    paths.insert("/api/robots".into(), json!({ "get": told("Robots of the catalogue", &filters, &sheets()) }));
-    paths
-        .insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], &table()) }));
+    paths.insert("/api/robots".into(), json!({ "get": operation("Robots of the catalogue", &filters, &sheets()) }));
+    paths.insert(
+        "/api/robots/{name}".into(),
+        json!({ "get": operation("One robot of the catalogue", &[name()], &table()) }),
+    );
     paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
     paths.insert("/api/job".into(), json!({ "post": job() }));
     json!({
@@ -187,7 +192,7 @@ fn name() -> Value {
 }
 
 /// Something that is read.
-fn told(about: &str, parameters: &[Value], schema: &Value) -> Value {
+fn operation(about: &str, parameters: &[Value], schema: &Value) -> Value {
     let mut responses = refusals();
     responses["200"] = json!({ "description": about, "content": { "application/json": { "schema": schema } } });
     json!({ "summary": about, "parameters": parameters, "responses": responses })
@@ -230,7 +235,7 @@ fn of_file(about: &str, schema: &Value) -> Value {
     let text = || json!({ "type": "string" });
     let mut question = json!({ "type": "object", "additionalProperties": false, "required": ["name", "text"] });
     question["properties"] = json!({ "name": text(), "text": text() });
-    let mut told = told(about, &[], schema);
+    let mut told = operation(about, &[], schema);
     told["requestBody"] = json!({ "required": true, "content": { "application/json": { "schema": question } } });
     told
 }

@@ -8,7 +8,7 @@ use stiffarm::catalogue::files::{LoadError, load_text};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
 use stiffarm::catalogue::{Fault, Faults, warnings};
 use stiffarm::robot::Robot;
-use stiffarm_ask::answer::robot::sheet;
+use stiffarm_ask::answer::robot::data_sheet;
 use stiffarm_ask::forms::{Answer, Form};
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -20,7 +20,7 @@ use super::route::computed;
 use stiffarm_ask::ask::AskError;
 use stiffarm_ask::ask::robots::answer;
 
-use crate::commands::robots::sheet_of;
+use crate::commands::robots::data_sheet_of;
 use crate::common::Common;
 use crate::failure::Failure;
 use stiffarm_ask::sources::Sources;
@@ -44,7 +44,7 @@ pub(super) async fn shown(server: &Arc<Server>, name: &str, asked: Option<&str>)
     let (robot, form) = (decoded(name)?, form_of(asked)?);
     delivered(server, "robot", form, move || {
         let common = Common { sources: Sources::sent(std::collections::BTreeMap::new()), ..Common::usual() };
-        written_of(&sheet_of(&robot, None, common.context())?, form)
+        written_of(&data_sheet_of(&robot, None, common.context())?, form)
     })
     .await
 }
@@ -108,7 +108,7 @@ fn verdict(name: &str, text: &str) -> Value {
 
 fn usable(robot: &Robot, notes: &[String], made: Option<String>) -> Value {
     let toml = made.unwrap_or_else(|| stiffarm::catalogue::write(robot));
-    json!({ "robot": sheet(robot), "notes": notes, "doubts": warnings(robot), "toml": toml, "hint": null, "faults": [] })
+    json!({ "robot": data_sheet(robot), "notes": notes, "doubts": warnings(robot), "toml": toml, "hint": null, "faults": [] })
 }
 
 fn unusable(faults: &Faults) -> Value {

@@ -59,7 +59,7 @@ def test_two_robots_stand_side_by_side(look: Open) -> None:
     page.get_by_role("button", name="add BT200L to compare").click()
     page.get_by_role("button", name="add IRB 6650S-200 to compare").click()
     compared = page.get_by_role("region", name="two setups side by side")
-    expect(compared).to_contain_text("At the stiffness told")
+    expect(compared).to_contain_text("At the nominal stiffness")
     expect(compared.locator(".picture")).to_have_count(1)
 
 

@@ -336,7 +336,7 @@ def compare(
     Returns
     -------
     Comparison
-        Both placements, and whether they can be told apart.
+        Both placements, and whether they can be distinguished.
 
     Raises
     ------

@@ -461,7 +461,7 @@ class StudyOptions(TypedDict, total=False):
     """Link ratios mu = l3/l2."""
 
     range: RangeLike
-    """Link ratios among which the best is sought."""
+    """Link ratios among which the best is searched for."""
 
     compare: str | Iterable[Literal["serial", "quasi-serial"]]
     """The two architectures that are compared."""
@@ -1013,8 +1013,8 @@ class MillOptions(TypedDict, total=False):
     programs with them."""
 
     stiffness_uncertainty: float | None
-    """By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what
-    compensation leaves [default: as the robot file or the prior has it]."""
+    """Standard deviation of the logarithm of the compliance of every drive, for what compensation leaves
+    [default: as the robot file or the prior has it]."""
 
     chatter: bool
     """Tell whether the cuts swing with the arm, and from which depth: at every sample, and with intervals at the
@@ -1442,7 +1442,7 @@ class _Placed(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -1450,7 +1450,7 @@ class _Placed(_Pass):
 
     wrist_moment_nm: list[float] | None
     """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
-    weight where its mass centre was told, and in the spatial model of the force at the tool tip."""
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
 
     wrist_limit_nm: list[float] | None
     """The largest that are allowed; null where the robot file has none."""
@@ -1599,14 +1599,15 @@ class _Placed(_Pass):
     """Every face of a part; null of one flat zone."""
 
     deflection_mm_p05: float | None
-    """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
+    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
+    not known."""
 
     deflection_mm_p50: float | None
-    """The median of drives as they may be; mostly more than with the drives as they are told, as a soft drive
-    adds more than a stiff one takes away."""
+    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
+    away."""
 
     deflection_mm_p95: float | None
-    """Five of a hundred give more."""
+    """Their 95th percentile."""
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
@@ -1617,8 +1618,8 @@ class _Placed(_Pass):
     tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
-    """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
-    off; null where nothing is known of that."""
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
 
     margin_mm: float | None
     """What is left of the tolerance."""
@@ -1635,7 +1636,7 @@ class Placed(_Placed, total=False):
     """The same for this task alone."""
 
     task_rank_tied: bool | None
-    """Some other robot cannot be told apart from it by the proof in this task."""
+    """Some other robot cannot be distinguished from it by the proof in this task."""
 
 
 class PlacementDict(Placed):
@@ -1673,7 +1674,7 @@ class RankingRow(TypedDict):
     estimated, or of which nothing is known."""
 
     rank_tied: bool | None
-    """Some other robot cannot be told apart from it by the proof, the drives taken as they are told."""
+    """Some other robot cannot be distinguished from it by the proof, at the nominal stiffness."""
 
     planar_rank: int | None
     """The rank in the planar ranking of the same robots and tasks."""
@@ -1688,15 +1689,15 @@ class RankingRow(TypedDict):
     """The same of the proved lower bounds."""
 
     win_probability: list[float | None]
-    """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing
-    says how its drives may be."""
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
 
     expected_regret_mm: list[float | None]
     """How much more than the best it has on average, of each task."""
 
     ties_with_best: list[bool | None]
-    """The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws
-    of the drives, of each task; shared ranks are about the proof."""
+    """Its deflection and that of the best robot overlap: neither is smaller in 95 % of the draws of the drive
+    stiffness, of each task; shared ranks are about the proof."""
 
     cells: list[Placed]
     """One placement per task."""
@@ -1712,7 +1713,7 @@ class Winner(TypedDict):
     """The best robot whose geometry and limits are published."""
 
     told_apart: bool | None
-    """It is proved that no other is as good, the drives taken as they are told."""
+    """It is proved that no other is as good, at the nominal stiffness."""
 
     rivals: list[str]
     """Robots of published geometry that may be as good as the best."""
@@ -1782,15 +1783,15 @@ class ComparisonDict(TypedDict):
     """The deflection of the second over that of the first; null where one has no place."""
 
     told_apart: bool
-    """It is proved that no other is as good, the drives taken as they are told."""
+    """It is proved that no other is as good, at the nominal stiffness."""
 
     better: str | None
-    """Which of the two is better, a or b, which is proved at the stiffness told; null where they cannot be told
-    apart."""
+    """Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be
+    distinguished."""
 
     win_probability: list[float] | None
-    """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing
-    says how its drives may be."""
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
 
     differ_in: list[str]
     """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
@@ -1945,7 +1946,7 @@ class _MapDict(TypedDict):
     """How much more than at the best roll a point may tell, relative."""
 
     tool_mass_kg: None
-    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
     tool_com_mm: None
     """Mass centre of the tool in the flange frame."""
@@ -1954,8 +1955,8 @@ class _MapDict(TypedDict):
     """Inertia of the tool about its mass centre, along flange axes."""
 
     slowest_hz_p05: None
-    """Of a hundred such robots five swing slower than this at the slowest point of the map, as far as the drives
-    may be off; null where nothing says how far, and where frequencies are not mapped."""
+    """5th percentile, over draws of the drive stiffness, of the first frequency at the slowest point of the map;
+    null where its uncertainty is not known, and where frequencies are not mapped."""
 
     zone: Placed | None
     """The best placement of the task that was given."""
@@ -2450,10 +2451,10 @@ class LevelFit(TypedDict):
     """The root mean square of the error over what feeds."""
 
     median_mm: float
-    """Half of the distances are less."""
+    """Median of the distances."""
 
     p95_mm: float
-    """95 of a hundred distances are less."""
+    """95th percentile of the distances."""
 
     largest_mm: float
     """What counts of the translation, the largest that the force may cause."""
@@ -2498,7 +2499,7 @@ class CalibratedAtWork(TypedDict):
     """Where that root mean square lies with 95 %."""
 
     work_p95_mm: float
-    """95 of a hundred points at the work are off by less."""
+    """95th percentile of the error at the work."""
 
     postures: int
     """How many postures."""
@@ -2890,10 +2891,10 @@ class PathChatter(TypedDict):
     does."""
 
     critical_depth_mm_p05: float | None
-    """Five of a hundred such robots swing at less, as far as drives and damping may be off; null beyond 300 mm."""
+    """5th percentile over draws of drive stiffness and damping; null beyond 300 mm."""
 
     critical_depth_mm_p95: float | None
-    """Five of a hundred swing at more alone; null beyond 300 mm."""
+    """95th percentile; null beyond 300 mm."""
 
     depth_reserve: float | None
     """The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up
@@ -2909,10 +2910,10 @@ class PathChatter(TypedDict):
     """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
 
     any_speed_depth_mm_p05: float | None
-    """Of five of a hundred such robots it is less."""
+    """5th percentile over the same draws."""
 
     any_speed_depth_mm_p95: float | None
-    """Of five of a hundred it is more."""
+    """95th percentile."""
 
     any_speed_hz: float | None
     """The frequency of the swing at that depth."""
@@ -3009,7 +3010,7 @@ class MilledDict(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: None
-    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
     overloaded: bool
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -3017,7 +3018,7 @@ class MilledDict(_Pass):
 
     wrist_moment_nm: list[float] | None
     """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
-    weight where its mass centre was told, and in the spatial model of the force at the tool tip."""
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
 
     wrist_limit_nm: list[float] | None
     """The largest that are allowed; null where the robot file has none."""
@@ -3077,14 +3078,14 @@ class MilledDict(_Pass):
     """Deflection under the force in its worst direction."""
 
     worst_mm_p05: float | None
-    """Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing
-    says how they may be."""
+    """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
+    uncertainty of the drives is not known."""
 
     worst_mm_p50: float | None
-    """The median."""
+    """Median."""
 
     worst_mm_p95: float | None
-    """Five of a hundred give more."""
+    """95th percentile."""
 
     lower_bound_mm: float | None
     """No allowed place has less."""
@@ -3156,8 +3157,8 @@ class MilledDict(_Pass):
     tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
-    """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
-    off; null where nothing is known of that."""
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
 
     margin_mm: float | None
     """What is left of the tolerance."""
@@ -3184,8 +3185,8 @@ class MilledDict(_Pass):
     calibrated."""
 
     arm_error: dict[str, object] | None
-    """The largest geometric error along the path of arms that nobody has calibrated: half and 95 of a hundred
-    err by less; null of one that was."""
+    """The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile;
+    null of one that was calibrated."""
 
     remarks: list[str]
     """What is odd."""
@@ -3220,7 +3221,7 @@ class PathRankingRow(_Pass):
     estimated, or of which nothing is known."""
 
     rank_tied: bool | None
-    """Some other robot cannot be told apart from it by the proof, the drives taken as they are told."""
+    """Some other robot cannot be distinguished from it by the proof, at the nominal stiffness."""
 
     feasible: bool | None
     """There is a place; null where it is not known."""
@@ -3232,14 +3233,14 @@ class PathRankingRow(_Pass):
     """Deflection under the force in its worst direction."""
 
     worst_mm_p05: float | None
-    """Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing
-    says how they may be."""
+    """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
+    uncertainty of the drives is not known."""
 
     worst_mm_p50: float | None
-    """The median."""
+    """Median."""
 
     worst_mm_p95: float | None
-    """Five of a hundred give more."""
+    """95th percentile."""
 
     lower_bound_mm: float | None
     """No allowed place has less."""
@@ -3312,22 +3313,22 @@ class PathRankingRow(_Pass):
     tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
-    """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
-    off; null where nothing is known of that."""
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
 
     margin_mm: float | None
     """What is left of the tolerance."""
 
     win_probability: list[float | None]
-    """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing
-    says how its drives may be."""
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
 
     expected_regret_mm: list[float | None]
     """How much more than the best it has on average, of each task."""
 
     ties_with_best: list[bool | None]
-    """The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws
-    of the drives, of each task; shared ranks are about the proof."""
+    """Its deflection and that of the best robot overlap: neither is smaller in 95 % of the draws of the drive
+    stiffness, of each task; shared ranks are about the proof."""
 
     search: PlaceSearch | None
     """How finely a place was looked for; null where it was given."""
@@ -3480,10 +3481,10 @@ class SwingMode(TypedDict):
     """With the motors held still."""
 
     frequency_hz_p05: float | None
-    """Five of a hundred such robots lie below, as far as the drives may be off; null where nothing says how far."""
+    """5th percentile over draws of the drive stiffness; null where its uncertainty is not known."""
 
     frequency_hz_p95: float | None
-    """Five of a hundred lie above."""
+    """95th percentile."""
 
     frequency_motors_free_hz: float | None
     """Of the same rank with motors that only the inertia of their rotors holds; null where rotors are not known."""
@@ -3539,7 +3540,7 @@ class ModesDict(TypedDict):
     """The tool point."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -3567,10 +3568,10 @@ class ModeOverZone(TypedDict):
     """The least frequency of the points of the zone that were looked at, motors held still."""
 
     frequency_hz_p05: float | None
-    """Five of a hundred such robots lie below, as far as the drives may be off; null where nothing says how far."""
+    """5th percentile over draws of the drive stiffness; null where its uncertainty is not known."""
 
     frequency_hz_p95: float | None
-    """Five of a hundred lie above."""
+    """95th percentile."""
 
     least_at_m: list[float]
     """Where, from the base."""
@@ -3652,7 +3653,7 @@ class ModesOverZoneDict(TypedDict):
     whoever asks), unknown."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -3664,12 +3665,12 @@ class ModesOverZoneDict(TypedDict):
     """Moving parts whose masses the robot file does not have."""
 
     first_at_least_hz: float | None
-    """Nowhere in the zone the first frequency is lower, motors held still: proved for the stiffness as it is
-    told, and no promise where that is not measured; null where the proof did not end."""
+    """Nowhere in the zone the first frequency is lower, motors held still: proved at the nominal stiffness, and
+    no promise where that is not measured; null where the proof did not end."""
 
     first_at_least_hz_p05: float | None
-    """The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved; null where
-    nothing says how far."""
+    """5th percentile of the least first frequency over draws of the drive stiffness: drawn, not proved; null
+    where its uncertainty is not known."""
 
     zone_parts: int
     """Into how many parts the zone was cut for the proof."""
@@ -3694,10 +3695,11 @@ class Lobe(TypedDict):
     """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
 
     depth_mm_p05: float | None
-    """Five of a hundred such robots swing at less; null beyond 300 mm, and where teeth are counted one by one."""
+    """5th percentile over draws of drive stiffness and damping; null beyond 300 mm, and where teeth are counted
+    one by one."""
 
     depth_mm_p95: float | None
-    """Five of a hundred swing at more alone."""
+    """95th percentile."""
 
     chatter_hz: float | None
     """The frequency of the swing at that depth."""
@@ -3743,7 +3745,7 @@ class ChatterDict(TypedDict):
     """The tool point."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -3774,10 +3776,10 @@ class ChatterDict(TypedDict):
     does."""
 
     critical_depth_mm_p05: float | None
-    """Five of a hundred such robots swing at less, as far as drives and damping may be off; null beyond 300 mm."""
+    """5th percentile over draws of drive stiffness and damping; null beyond 300 mm."""
 
     critical_depth_mm_p95: float | None
-    """Five of a hundred swing at more alone; null beyond 300 mm."""
+    """95th percentile; null beyond 300 mm."""
 
     depth_reserve: float | None
     """The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up
@@ -3793,10 +3795,10 @@ class ChatterDict(TypedDict):
     """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
 
     any_speed_depth_mm_p05: float | None
-    """Of five of a hundred such robots it is less."""
+    """5th percentile over the same draws."""
 
     any_speed_depth_mm_p95: float | None
-    """Of five of a hundred it is more."""
+    """95th percentile."""
 
     any_speed_hz: float | None
     """The frequency of the swing at that depth."""
@@ -3925,14 +3927,15 @@ class ComplianceDict(TypedDict):
     """What counts of the translation, the largest that the force may cause."""
 
     deflection_mm_p05: float | None
-    """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
+    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
+    not known."""
 
     deflection_mm_p50: float | None
-    """The median of drives as they may be; mostly more than with the drives as they are told, as a soft drive
-    adds more than a stiff one takes away."""
+    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
+    away."""
 
     deflection_mm_p95: float | None
-    """Five of a hundred give more."""
+    """Their 95th percentile."""
 
     force_axes: str | None
     """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the

@@ -10,8 +10,8 @@ use super::{Coupling, SameBranch, SpatialArm};
 use crate::inverse::{ArmBranch, Configuration, ELBOWS, Shoulder, Wrist};
 use crate::tolerances::{RIM, SINGULAR, SINGULAR_SQUARE};
 
-/// What is sought of the configurations of poses, one pose a lane.
-pub(super) trait Sought<S: Simd> {
+/// What is searched for of the configurations of poses, one pose a lane.
+pub(super) trait Collector<S: Simd> {
     /// What all postures of one shoulder share.
     type Seen: Copy;
 
@@ -62,7 +62,7 @@ struct Compliances<S: Simd, C> {
     found: [BranchLanes<S>; Configuration::COUNT],
 }
 
-impl<S: Simd, C: Counted> Sought<S> for Compliances<S, C> {
+impl<S: Simd, C: Counted> Collector<S> for Compliances<S, C> {
     type Seen = C::Seen<S>;
 
     #[inline(always)]
@@ -140,18 +140,18 @@ impl SpatialArm {
     ) -> [BranchLanes<S>; Configuration::COUNT] {
         let (one, forbidden) = (flange.point.0[0].all(1.0), flange.point.0[0].all(FORBIDDEN));
         let none = BranchLanes { worst: one, slack: forbidden, links: forbidden, bent: [one; 2] };
-        let mut sought = Compliances { counted, found: [none; Configuration::COUNT] };
-        self.branches::<S, _, ALL>(flange, same_branch, &mut sought);
-        sought.found
+        let mut collector = Compliances { counted, found: [none; Configuration::COUNT] };
+        self.branches::<S, _, ALL>(flange, same_branch, &mut collector);
+        collector.found
     }
 
-    /// Hands every configuration of a pose to what is sought. Unless `ALL`, what is forbidden in every lane is left as soon as that is known.
+    /// Hands every configuration of a pose to what is searched for. Unless `ALL`, what is forbidden in every lane is left as soon as that is known.
     #[inline(always)]
-    pub(super) fn branches<S: Simd, T: Sought<S>, const ALL: bool>(
+    pub(super) fn branches<S: Simd, T: Collector<S>, const ALL: bool>(
         &self,
         flange: &FlangePoses<S>,
         same_branch: &SameBranch,
-        sought: &mut T,
+        collector: &mut T,
     ) {
         let (px, py, pz) = flange.point.parts();
         let (ux, uy, uz) = flange.wrist_to_tool.parts();
@@ -182,21 +182,21 @@ impl SpatialArm {
                 wrist_to_tool: flange.wrist_to_tool.seen_turned(s1, c1),
                 x: forwards - self.geometry.a1,
                 z: wz - self.geometry.c1,
-                seen: sought.seen(s1, c1),
+                seen: collector.seen(s1, c1),
             };
-            self.elbows::<S, T, ALL>(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], sought);
+            self.elbows::<S, T, ALL>(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], collector);
         }
     }
 
     /// Elbow up and down, each with both wrists, of one shoulder.
     #[inline(always)]
-    fn elbows<S: Simd, T: Sought<S>, const ALL: bool>(
+    fn elbows<S: Simd, T: Collector<S>, const ALL: bool>(
         &self,
         seen: &FlangeInArmAxes<S, T::Seen>,
         [reached, turned]: [Lanes<S>; 2],
         same_branch: &SameBranch,
         shoulder: Shoulder,
-        sought: &mut T,
+        collector: &mut T,
     ) {
         let (l2, l3) = (self.geometry.c2, self.geometry.l3());
         let (lean_c, lean_s) = (self.geometry.c3 / l3, self.geometry.a2 / l3);
@@ -230,20 +230,20 @@ impl SpatialArm {
                 continue;
             }
             let arm = ArmBranch { shoulder, elbow: ELBOWS[elbow] };
-            self.wrists::<S, T, ALL>(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, sought);
+            self.wrists::<S, T, ALL>(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, collector);
         }
     }
 
     /// Both wrists of one shoulder and elbow.
     #[inline(always)]
-    fn wrists<S: Simd, T: Sought<S>, const ALL: bool>(
+    fn wrists<S: Simd, T: Collector<S>, const ALL: bool>(
         &self,
         seen: &FlangeInArmAxes<S, T::Seen>,
         [s2, c2, s23, c23]: [Lanes<S>; 4],
         [links, turned]: [Lanes<S>; 2],
         same_branch: &SameBranch,
         arm: ArmBranch,
-        sought: &mut T,
+        collector: &mut T,
     ) {
         let zero = s2.all(0.0);
         let along = Triple([s23, zero, c23]);
@@ -285,7 +285,7 @@ impl SpatialArm {
             slacks,
             links,
         };
-        sought.take(self, &seen.seen, arm, &held);
+        collector.take(self, &seen.seen, arm, &held);
     }
 }
 
@@ -308,6 +308,6 @@ struct FlangeInArmAxes<S: Simd, T> {
     pub(super) wrist_to_tool: Triple<S>,
     x: Lanes<S>,
     z: Lanes<S>,
-    /// What all postures of this shoulder share of what is sought.
+    /// What all postures of this shoulder share of what is searched for.
     seen: T,
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Vector3;
 use pulp::{Arch, Simd, WithSimd};
 
-use super::branches::{FlangePoses, HeldLanes, Sought};
+use super::branches::{Collector, FlangePoses, HeldLanes};
 use super::counted::{AnyDirection, Counted};
 use super::lanes::{Lanes, WIDEST};
 use super::vectors::Triple;
@@ -142,7 +142,7 @@ struct Angles<S: Simd> {
     has: [bool; Configuration::COUNT],
 }
 
-impl<S: Simd> Sought<S> for Angles<S> {
+impl<S: Simd> Collector<S> for Angles<S> {
     /// Theta 1.
     type Seen = Lanes<S>;
 

@@ -11,7 +11,7 @@ use crate::load::Forces;
 
 /// The vectors that poses of the tool with one orientation share, base axes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ToolOrientation {
+pub(crate) struct ToolVectors {
     /// Axis of joint 6: the flange's z.
     pub(super) axis_6: Vector3<f64>,
     /// The flange's x.
@@ -25,14 +25,14 @@ pub(crate) struct ToolOrientation {
 /// The same vectors for every roll of the tool about its axis: each is `still + cos * cos(roll) + sin * sin(roll)`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RolledTool {
-    pub(super) still: ToolOrientation,
-    pub(super) cos: ToolOrientation,
-    pub(super) sin: ToolOrientation,
+    pub(super) still: ToolVectors,
+    pub(super) cos: ToolVectors,
+    pub(super) sin: ToolVectors,
     /// The forces that may act, whatever the roll; any where `None`.
     pub(super) forces: Option<Forces>,
 }
 
-impl ToolOrientation {
+impl ToolVectors {
     /// The same under some forces only.
     #[must_use]
     pub(crate) fn under(self, forces: Option<Forces>) -> Self {
@@ -67,10 +67,10 @@ impl RolledTool {
 
 impl SpatialArm {
     /// The vectors that follow from the rotation of the tool (base axes).
-    pub(crate) fn orientation(&self, tool: &Matrix3<f64>) -> ToolOrientation {
+    pub(crate) fn orientation(&self, tool: &Matrix3<f64>) -> ToolVectors {
         let flange = tool * self.flange_from_tool.rotation.inverse().to_rotation_matrix();
         let point = self.flange_from_tool.translation.vector + Vector3::z() * self.geometry.c4;
-        ToolOrientation {
+        ToolVectors {
             axis_6: flange * Vector3::z(),
             flange_x: flange * Vector3::x(),
             wrist_to_tool: flange * point,
@@ -81,13 +81,13 @@ impl SpatialArm {
     /// The vectors at every roll, from the rotations of the tool (base axes) at no roll, a quarter turn and half a turn.
     pub(crate) fn rolled_tool(&self, tools: [&Matrix3<f64>; 3]) -> RolledTool {
         let [none, quarter, half] = tools.map(|tool| self.orientation(tool));
-        let of = |part: fn(&ToolOrientation) -> Vector3<f64>| {
+        let of = |part: fn(&ToolVectors) -> Vector3<f64>| {
             let (none, quarter, half) = (part(&none), part(&quarter), part(&half));
             let still = (none + half) / 2.0;
             [still, (none - half) / 2.0, quarter - still]
         };
         let [axis_6, flange_x, wrist_to_tool] = [of(|it| it.axis_6), of(|it| it.flange_x), of(|it| it.wrist_to_tool)];
-        let [still, cos, sin] = [0, 1, 2].map(|i| ToolOrientation {
+        let [still, cos, sin] = [0, 1, 2].map(|i| ToolVectors {
             axis_6: axis_6[i],
             flange_x: flange_x[i],
             wrist_to_tool: wrist_to_tool[i],

@@ -6,7 +6,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::branches::{BranchLanes, FlangePoses};
 use super::counted::{AnyDirection, Counted};
 use super::lanes::{Lanes, WIDEST};
-use super::orientation::{RolledTool, ToolOrientation};
+use super::orientation::{RolledTool, ToolVectors};
 use super::vectors::Triple;
 use super::{SameBranch, SpatialArm};
 use crate::inverse::Configuration;
@@ -58,7 +58,7 @@ impl SpatialArm {
     /// or the `same_branch` forbids it, or nothing holds joint 2. `configurations` by [`Configuration::index`].
     pub(crate) fn configurations_at(
         &self,
-        orientation: &ToolOrientation,
+        orientation: &ToolVectors,
         same_branch: &SameBranch,
         points: [&[f64]; 3],
         configurations: [&mut [f64]; Configuration::COUNT],
@@ -105,7 +105,7 @@ impl SpatialArm {
 struct ConfigurationsAt<'a, C> {
     arm: &'a SpatialArm,
     counted: C,
-    orientation: &'a ToolOrientation,
+    orientation: &'a ToolVectors,
     same_branch: &'a SameBranch,
     points: [&'a [f64]; 3],
     configurations: [&'a mut [f64]; Configuration::COUNT],
@@ -116,7 +116,7 @@ impl<C: Counted> WithSimd for ConfigurationsAt<'_, C> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let ToolOrientation { axis_6, flange_x, wrist_to_tool, .. } = self.orientation;
+        let ToolVectors { axis_6, flange_x, wrist_to_tool, .. } = self.orientation;
         let count = self.points[0].len();
         for from in (0..count).step_by(S::F64_LANES) {
             let to = count.min(from + S::F64_LANES);
@@ -196,7 +196,7 @@ impl WithSimd for BestOf<'_> {
             let mut parts = [[[0.0; WIDEST]; 3]; 4];
             for (lane, pose) in poses.iter().enumerate() {
                 let rotation = pose.rotation.to_rotation_matrix();
-                let ToolOrientation { axis_6, flange_x, wrist_to_tool, .. } = self.arm.orientation(rotation.matrix());
+                let ToolVectors { axis_6, flange_x, wrist_to_tool, .. } = self.arm.orientation(rotation.matrix());
                 for (triple, vector) in [pose.translation.vector, axis_6, flange_x, wrist_to_tool].iter().enumerate() {
                     for axis in 0..3 {
                         parts[triple][axis][lane] = vector[axis];

@@ -22,7 +22,7 @@ pub struct AtWork {
     pub expected: f64,
     /// Where that root mean square lies with 95 %.
     pub interval: [f64; 2],
-    /// 95 of a hundred points are off by less.
+    /// 95th percentile.
     pub p95: f64,
     /// Over how many postures it was asked.
     pub postures: usize,

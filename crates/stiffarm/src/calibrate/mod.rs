@@ -71,7 +71,7 @@ pub struct LevelFit {
     pub rms: f64,
     /// Half of them are less, m.
     pub median: f64,
-    /// 95 of a hundred are less, m.
+    /// 95th percentile, m.
     pub p95: f64,
     /// The largest, m.
     pub largest: f64,

@@ -25,7 +25,7 @@ pub struct Filter {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("none of {of} robots matches {asked}")]
 pub struct NothingLeft {
-    /// The wishes as they were written.
+    /// The criteria as they were written.
     pub asked: String,
     /// How many robots there were to choose from.
     pub of: usize,
@@ -34,12 +34,12 @@ pub struct NothingLeft {
 }
 
 /// One thing that is asked of a robot: how it is written, and whether a robot has it.
-struct Wish<'a> {
+struct Criterion<'a> {
     written: String,
     holds: Box<dyn Fn(&Robot) -> bool + 'a>,
 }
 
-impl<'a> Wish<'a> {
+impl<'a> Criterion<'a> {
     fn new(written: String, holds: impl Fn(&Robot) -> bool + 'a) -> Self {
         Self { written, holds: Box::new(holds) }
     }
@@ -53,58 +53,62 @@ impl Filter {
     /// # Errors
     /// Where nothing is left, with what would match.
     pub fn keep(&self, robots: Vec<Robot>, option: impl Fn(&str) -> String) -> Result<Vec<Robot>, NothingLeft> {
-        let wishes = self.wishes(option);
-        let kept = |robot: &Robot| wishes.iter().all(|wish| (wish.holds)(robot));
+        let criteria = self.criteria(option);
+        let kept = |robot: &Robot| criteria.iter().all(|criterion| (criterion.holds)(robot));
         if robots.iter().any(kept) {
             return Ok(robots.into_iter().filter(kept).collect());
         }
-        let written: Vec<&str> = wishes.iter().map(|wish| wish.written.as_str()).collect();
-        let hint = match_without_one(&robots, &wishes).unwrap_or_else(|| what_there_is(&robots));
+        let written: Vec<&str> = criteria.iter().map(|criterion| criterion.written.as_str()).collect();
+        let hint = match_without_one(&robots, &criteria).unwrap_or_else(|| what_there_is(&robots));
         Err(NothingLeft { asked: written.join(" "), of: robots.len(), hint })
     }
 
-    fn wishes(&self, option: impl Fn(&str) -> String) -> Vec<Wish<'_>> {
-        let mut wishes: Vec<Wish> = Vec::new();
+    fn criteria(&self, option: impl Fn(&str) -> String) -> Vec<Criterion<'_>> {
+        let mut criteria: Vec<Criterion> = Vec::new();
         for word in self.words.iter().flat_map(|words| words.split_whitespace()) {
-            wishes.push(Wish::new(format!("'{word}'"), move |robot| plain(&robot.full_name()).contains(&plain(word))));
+            criteria.push(Criterion::new(format!("'{word}'"), move |robot| {
+                plain(&robot.full_name()).contains(&plain(word))
+            }));
         }
         if !self.vendors.is_empty() {
-            wishes.push(Wish::new(format!("{} {}", option("vendor"), self.vendors.join(",")), |robot| {
+            criteria.push(Criterion::new(format!("{} {}", option("vendor"), self.vendors.join(",")), |robot| {
                 self.vendors.iter().any(|vendor| plain(vendor) == plain(&robot.vendor))
             }));
         }
         if let Some(range) = self.payload_kg {
             let holds = move |robot: &Robot| robot.payload_kg.is_some_and(|kg| range.contains(kg, 0.0));
-            wishes.push(Wish::new(format!("{} {}", option("payload_kg"), written(range)), holds));
+            criteria.push(Criterion::new(format!("{} {}", option("payload_kg"), written(range)), holds));
         }
         if let Some(range) = self.reach {
             let holds = move |robot: &Robot| robot.reach.is_some_and(|reach| range.contains(reach, 0.0));
-            wishes.push(Wish::new(format!("{} {}", option("reach_m"), written(range)), holds));
+            criteria.push(Criterion::new(format!("{} {}", option("reach_m"), written(range)), holds));
         }
         if let Some(architecture) = self.architecture {
             let holds = move |robot: &Robot| robot.architecture == architecture;
-            wishes.push(Wish::new(format!("{} {architecture}", option("architecture")), holds));
+            criteria.push(Criterion::new(format!("{} {architecture}", option("architecture")), holds));
         }
         if !self.statuses.is_empty() {
             let names: Vec<&str> = self.statuses.iter().map(|status| status.name()).collect();
             let holds = |robot: &Robot| self.statuses.contains(&robot.status);
-            wishes.push(Wish::new(format!("{} {}", option("status"), names.join(",")), holds));
+            criteria.push(Criterion::new(format!("{} {}", option("status"), names.join(",")), holds));
         }
-        wishes
+        criteria
     }
 }
 
-/// How many robots each single wish keeps out.
-fn match_without_one(robots: &[Robot], wishes: &[Wish]) -> Option<String> {
+/// How many robots each single criterion keeps out.
+fn match_without_one(robots: &[Robot], criteria: &[Criterion]) -> Option<String> {
     let without = |left_out: usize| {
-        let others = |robot: &&Robot| wishes.iter().enumerate().all(|(i, wish)| i == left_out || (wish.holds)(robot));
+        let others = |robot: &&Robot| {
+            criteria.iter().enumerate().all(|(i, criterion)| i == left_out || (criterion.holds)(robot))
+        };
         robots.iter().filter(others).count()
     };
-    let ways: Vec<String> = wishes
+    let ways: Vec<String> = criteria
         .iter()
         .enumerate()
-        .filter(|_| 1 < wishes.len())
-        .map(|(i, wish)| (without(i), &wish.written))
+        .filter(|_| 1 < criteria.len())
+        .map(|(i, criterion)| (without(i), &criterion.written))
         .filter(|(count, _)| 0 < *count)
         .map(|(count, written)| format!("without {written} {count} would match"))
         .collect();

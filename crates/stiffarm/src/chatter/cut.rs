@@ -11,7 +11,7 @@ use crate::modes::ModesError;
 const PLUNGE: f64 = 0.5;
 /// A tooth that cuts for no larger a share of a pitch hits rather than presses.
 const SHORT: f64 = 0.5 + 1e-9;
-/// The depth beyond which no edge is sought, m: end mills have no longer ones.
+/// The depth beyond which no edge is searched for, m: end mills have no longer ones.
 pub const LONGEST: f64 = 0.3;
 
 /// A flat mill, turning right, in its cut.

@@ -20,9 +20,9 @@ const SEED: u64 = 0x6461_6d70_696e_6721;
 /// Where a depth lies with 90 %, m; `None` beyond the longest edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthSpread {
-    /// Five of a hundred are less.
+    /// 5th percentile.
     pub p05: Option<f64>,
-    /// Five of a hundred are more.
+    /// 95th percentile.
     pub p95: Option<f64>,
 }
 
@@ -31,8 +31,8 @@ impl DepthSpread {
     pub fn of(draws: impl Iterator<Item = Option<Edge>>) -> Self {
         let depth = |edge: Option<Edge>| edge.map_or(f64::INFINITY, |edge| edge.depth);
         let spread = crate::uncertainty::Spread::of(draws.map(depth).collect());
-        let told = |depth: f64| depth.is_finite().then_some(depth);
-        Self { p05: told(spread.p05), p95: told(spread.p95) }
+        let finite = |depth: f64| depth.is_finite().then_some(depth);
+        Self { p05: finite(spread.p05), p95: finite(spread.p95) }
     }
 }
 

@@ -56,13 +56,13 @@ impl Response {
     pub fn of_modes(modes: &[MeasuredMode]) -> Self {
         let mut modes = modes.to_vec();
         modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-        let told = |mode: &MeasuredMode| {
+        let mode_of = |mode: &MeasuredMode| {
             let own = TAU * mode.frequency;
             // S S^T / own^2 is the compliance 1/k along the direction.
             let shape = Vector3::from(mode.direction).normalize() * (own / mode.stiffness.sqrt());
             (own, mode.ratio, shape.into())
         };
-        Self::Modes(Motion::uncoupled(&modes.iter().map(told).collect::<Vec<_>>()))
+        Self::Modes(Motion::uncoupled(&modes.iter().map(mode_of).collect::<Vec<_>>()))
     }
 }
 

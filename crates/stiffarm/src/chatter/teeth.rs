@@ -130,7 +130,7 @@ impl<'a> Teeth<'a> {
         self.multiplier(&self.passage(spindle, steps), depth).norm()
     }
 
-    /// The least depth that swings at a speed of the spindle, rad/s, sought upwards from `from`, m; `None` where none up to [`LONGEST`] does.
+    /// The least depth that swings at a speed of the spindle, rad/s, searched upwards from `from`, m; `None` where none up to [`LONGEST`] does.
     pub fn edge_at(&self, spindle: f64, steps: usize, from: f64) -> Option<Edge> {
         const RISE: f64 = 1.2;
         const CLOSE: f64 = 2e-4;

@@ -70,7 +70,7 @@ impl<'a> ThickArm<'a> {
                 wide_before = pieces;
             }
         }
-        nearest.near.map(|near| self.told(near, widest.near, postures.len()))
+        nearest.near.map(|near| self.clearance_of(near, widest.near, postures.len()))
     }
 
     /// The nearest to anything in one posture, by its model angles, before some sample of the path by which a block is cut; `None` where there is
@@ -123,7 +123,12 @@ impl<'a> ThickArm<'a> {
     }
 
     /// The nearest of so many poses, with how well that is known.
-    pub(crate) fn told(&self, Near { distance, link, to }: Near, wide: Option<Near>, poses: usize) -> Clearance {
+    pub(crate) fn clearance_of(
+        &self,
+        Near { distance, link, to }: Near,
+        wide: Option<Near>,
+        poses: usize,
+    ) -> Clearance {
         let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
         let other = if let Obstacle::Link(other) = to { self.outside(other) } else { 0.0 };
         let outside = self.outside(link) + other;

@@ -2,7 +2,7 @@
 //!
 //! Axes of the cut, on the tool: the feed, across it (left of the feed, seen from the spindle), and axial (away from the work). A robot,
 //! whose first modes lie at 5 to 25 Hz, follows the mean over a revolution; the teeth pass far above, so that mean and range
-//! are told apart.
+//! are distinguished.
 
 mod dynamic;
 mod edge;

@@ -93,7 +93,7 @@ impl<'a> Question<'a> {
         let springs = &model.springs(self.options.regions);
         let least = springs.len() / 3 + 1;
         if readings.len() < least {
-            return Err(IdentifyError::TooFew { readings: readings.len(), sought: springs.len(), least });
+            return Err(IdentifyError::TooFew { readings: readings.len(), unknowns: springs.len(), least });
         }
         let work = Work::of(&self.known, readings, springs, self.options, self.watch)?;
         let fitted = work.identification(self.options, &self.remarks)?;

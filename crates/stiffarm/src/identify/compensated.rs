@@ -15,8 +15,8 @@ pub(super) struct Compensated {
     second: Vec<usize>,
     /// What of the stiffness it adds is known, N m/rad.
     known: Vec<f64>,
-    /// Springs that are sought of it, and what stiffness a unit of each adds.
-    sought: Vec<(usize, Vec<f64>)>,
+    /// Springs that are searched for of it, and what stiffness a unit of each adds.
+    unknowns: Vec<(usize, Vec<f64>)>,
 }
 
 impl Compensated {
@@ -25,7 +25,7 @@ impl Compensated {
         let at = |spring: Spring| springs.iter().position(|one| *one == spring);
         let parts = || readings.iter().map(|(_, theta_2)| compensator.parts(*theta_2));
         let free = compensator.free_length;
-        let sought = match (at(Spring::Compensator), at(Spring::Preload)) {
+        let unknowns = match (at(Spring::Compensator), at(Spring::Preload)) {
             (Some(spring), Some(preload)) => vec![
                 (spring, parts().map(|[of_spring, _]| of_spring).collect()),
                 (preload, parts().map(|[_, of_preload]| of_preload).collect()),
@@ -36,17 +36,17 @@ impl Compensated {
             }
             (None, _) => Vec::new(),
         };
-        let known = |theta_2: f64| if sought.is_empty() { compensator.stiffness(theta_2) } else { 0.0 };
+        let known = |theta_2: f64| if unknowns.is_empty() { compensator.stiffness(theta_2) } else { 0.0 };
         Self {
             second: readings.iter().map(|(second, _)| *second).collect(),
             known: readings.iter().map(|(_, theta_2)| known(*theta_2)).collect(),
-            sought,
+            unknowns,
         }
     }
 
     /// `1 + k dK` at a reading: nothing holds joint 2 where it is not positive.
     fn held(&self, i: usize, values: &[f64]) -> f64 {
-        let added = self.sought.iter().map(|(spring, unit)| values[*spring] * unit[i]).sum::<f64>();
+        let added = self.unknowns.iter().map(|(spring, unit)| values[*spring] * unit[i]).sum::<f64>();
         1.0 + values[self.second[i]] * (self.known[i] + added)
     }
 
@@ -63,7 +63,7 @@ impl Compensated {
             let column: Vector3<f64> = system.a.fixed_view::<3, 1>(3 * i, second).into();
             system.a.fixed_view_mut::<3, 1>(3 * i, second).copy_from(&(column / (held * held)));
             let mut reached = k / (held * held);
-            for (spring, unit) in &self.sought {
+            for (spring, unit) in &self.unknowns {
                 let slope = -kappa * kappa * unit[i];
                 system.a.fixed_view_mut::<3, 1>(3 * i, *spring).copy_from(&(column * slope));
                 reached += slope * values[*spring];

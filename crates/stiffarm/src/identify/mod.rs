@@ -12,12 +12,12 @@
 
 mod choice;
 mod compensated;
+mod diagnostics;
 mod model;
 mod posterior;
 mod regression;
 mod robust;
 mod springs;
-mod told;
 mod work;
 mod written;
 
@@ -28,11 +28,11 @@ use crate::robot::Robot;
 use crate::watch::Stopped;
 
 pub use choice::{Fit, Tried, identify};
+pub use diagnostics::{Combination, Outlier, Residual};
 pub use model::Springs;
 pub use posterior::{Posterior, Updated};
 pub use springs::Spring;
 pub(crate) use springs::columns_at;
-pub use told::{Combination, Outlier, Residual};
 
 /// A drive whose standard error is more than this share of its compliance is not identified.
 pub const MOST_RELATIVE_ERROR: f64 = 0.5;
@@ -111,12 +111,12 @@ pub enum IdentifyError {
     #[error("{0} is a planar robot: it has no six joints; a robot file with [geometry] is needed")]
     Planar(String),
     /// Less readings than unknowns.
-    #[error("{readings} rows hold {numbers} displacements; {sought} compliances are sought, expected at least {least} rows, and better twenty postures", numbers = 3 * readings)]
+    #[error("{readings} rows hold {numbers} displacements; {unknowns} compliances are unknown, expected at least {least} rows, and better twenty postures", numbers = 3 * readings)]
     TooFew {
         /// How many rows.
         readings: usize,
         /// How many springs.
-        sought: usize,
+        unknowns: usize,
         /// The fewest rows.
         least: usize,
     },
@@ -144,7 +144,7 @@ pub enum IdentifyError {
         /// Which robot.
         robot: String,
     },
-    /// A compensator is sought that the robot file does not have.
+    /// A compensator is searched for that the robot file does not have.
     #[error(
         "{0} has no gravity compensator in its robot file; give [compensator] base_mm, arm_mm, stiffness_n_per_mm and free_length_mm: the ends stay, \
          the spring is found"

@@ -253,7 +253,7 @@ mod tests {
         };
         for _ in 0..20 {
             let a = random(&mut rng, 12);
-            // Nearly told apart, so that prior and rows both count.
+            // Nearly distinguished, so that prior and rows both count.
             let truth = DVector::from_vec(vec![1.4, 0.6]);
             let y = &a * &truth + DVector::from_fn(12, |_, _| 0.3 * (rng.f64() - 0.5));
             let system = System { a, y };

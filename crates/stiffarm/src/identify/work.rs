@@ -10,7 +10,7 @@ use super::springs::{Bent, Spring, beyond, ranges};
 use super::written::{Fitness, robot_with};
 use super::{
     Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Unknown,
-    bound, rms, student, told,
+    bound, diagnostics, rms, student,
 };
 use crate::catalogue::measurements::Reading;
 use crate::parallel;
@@ -133,13 +133,13 @@ impl<'a> Work<'a> {
         const STEPS: usize = 60;
         let start = |(held, assumed): (&Option<f64>, &f64)| held.unwrap_or(*assumed);
         let mut values: Vec<f64> = held.iter().zip(&self.assumed).map(start).collect();
-        let sought: Vec<usize> = (0..held.len()).filter(|&i| held[i].is_none()).collect();
+        let unknowns: Vec<usize> = (0..held.len()).filter(|&i| held[i].is_none()).collect();
         for _ in 0..STEPS {
             self.watch.go_on()?;
             let system = self.about(&values)?.weighted(weights).holding(held);
             let solution = solve(&system).ok_or(IdentifyError::NotFound)?;
             let Some(compensated) = &self.compensated else { return Ok((system, solution)) };
-            let target = values_of(&sought, &solution.values, held);
+            let target = values_of(&unknowns, &solution.values, held);
             let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= SETTLED * a.abs().max(b.abs());
             if values.iter().zip(&target).all(is_near) {
                 return Ok((system, solution));
@@ -160,7 +160,7 @@ impl<'a> Work<'a> {
         let postures: Vec<usize> = self.readings.iter().map(|reading| reading.posture).collect();
         spread(solution, &postures).ok_or(IdentifyError::TooFew {
             readings: self.readings.len(),
-            sought: self.springs.len(),
+            unknowns: self.springs.len(),
             least: self.springs.len() / 3 + 1,
         })
     }
@@ -194,17 +194,17 @@ impl<'a> Work<'a> {
             return Err(IdentifyError::Against);
         }
         let spread = self.spread(&solution)?;
-        let sought: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
-        let mut estimates = self.estimates(&sought, &solution, &spread, &robust, &groups);
+        let unknowns: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
+        let mut estimates = self.estimates(&unknowns, &solution, &spread, &robust, &groups);
         let (used, own) = self.used(&mut estimates, &weights, (&solution, &spread))?;
-        let told = self.told(&sought, &solution, &spread, &robust, &weights);
+        let fit = self.fit_of(&unknowns, &solution, &spread, &robust, &weights);
         let after_used = rms(&own);
         let before = rms(self.system.y.as_slice());
-        let fitness = Fitness { postures: told.postures, moved: before, residual: after_used, left_out: told.left_out };
+        let fitness = Fitness { postures: fit.postures, moved: before, residual: after_used, left_out: fit.left_out };
         let written = robot_with(self.robot, &estimates, &used, options, fitness);
         let mut remarks = remarks.to_vec();
         remarks.extend(self.odd_postures());
-        let residual = self.residual(&values_of(&sought, &solution.values, &held));
+        let residual = self.residual(&values_of(&unknowns, &solution.values, &held));
         let found = Identification {
             robot: written,
             estimator: options.estimator,
@@ -213,7 +213,7 @@ impl<'a> Work<'a> {
             after_used,
             remarks,
             estimates,
-            ..told
+            ..fit
         };
         Ok(Fitted { found, spread, weights })
     }
@@ -229,7 +229,7 @@ impl<'a> Work<'a> {
 
     fn estimates(
         &self,
-        sought: &[usize],
+        unknowns: &[usize],
         solution: &Solution,
         spread: &Spread,
         robust: &Robust,
@@ -250,7 +250,7 @@ impl<'a> Work<'a> {
                 unknown: None,
                 used: self.assumed[i],
             };
-            let Some(at) = sought.iter().position(|&known| known == i) else {
+            let Some(at) = unknowns.iter().position(|&known| known == i) else {
                 return Estimate { unknown: Some(self.why_unseen(i, groups)), ..nothing };
             };
             let (value, robust) = (solution.values[at], robust.values[at]);
@@ -304,12 +304,12 @@ impl<'a> Work<'a> {
         loop {
             let held: Vec<Option<f64>> =
                 (0..count).map(|i| estimates[i].unknown.is_some().then_some(self.assumed[i])).collect();
-            let sought: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
-            if sought.is_empty() {
+            let unknowns: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
+            if unknowns.is_empty() {
                 return Ok((Matrix6::zeros(), self.residual(&self.assumed)));
             }
             let again;
-            let (solution, spread) = if sought.len() == count {
+            let (solution, spread) = if unknowns.len() == count {
                 found
             } else {
                 let (_, solution) = self.solved(&held, weights)?;
@@ -318,7 +318,7 @@ impl<'a> Work<'a> {
                 (&again.0, &again.1)
             };
             let mut is_settled = true;
-            for (at, &i) in sought.iter().enumerate() {
+            for (at, &i) in unknowns.iter().enumerate() {
                 let unknown = match solution.free.iter().position(|&free| free == at) {
                     None => Some(Unknown::Rigid),
                     Some(free) => {
@@ -340,8 +340,8 @@ impl<'a> Work<'a> {
             }
             let errors: Vec<f64> = spread.classical.iter().zip(&spread.by_posture).map(|(a, b)| a.max(*b)).collect();
             let mut covariance = Matrix6::zeros();
-            for (a, &i) in sought.iter().enumerate() {
-                for (b, &j) in sought.iter().enumerate() {
+            for (a, &i) in unknowns.iter().enumerate() {
+                for (b, &j) in unknowns.iter().enumerate() {
                     if let (Spring::Drive(i), Spring::Drive(j)) = (self.springs[i], self.springs[j]) {
                         covariance[(i, j)] = errors[a] * errors[b] * spread.correlation[(a, b)];
                     }
@@ -349,7 +349,7 @@ impl<'a> Work<'a> {
             }
             // Symmetric to the last bit.
             let covariance = Matrix6::from_fn(|i, j| covariance[(i.min(j), i.max(j))]);
-            return Ok((covariance, self.residual(&values_of(&sought, &solution.values, &held))));
+            return Ok((covariance, self.residual(&values_of(&unknowns, &solution.values, &held))));
         }
     }
 
@@ -378,9 +378,9 @@ impl<'a> Work<'a> {
     }
 
     /// Everything that is told of a fit besides its values; what the caller knows is left at nothing.
-    fn told(
+    fn fit_of(
         &self,
-        sought: &[usize],
+        unknowns: &[usize],
         solution: &Solution,
         spread: &Spread,
         robust: &Robust,
@@ -390,14 +390,14 @@ impl<'a> Work<'a> {
         let mut correlation = DMatrix::identity(count, count);
         for (a, &i) in solution.free.iter().enumerate() {
             for (b, &j) in solution.free.iter().enumerate() {
-                correlation[(sought[i], sought[j])] = spread.correlation[(a, b)];
+                correlation[(unknowns[i], unknowns[j])] = spread.correlation[(a, b)];
             }
         }
         let postures = self.readings.iter().map(|reading| reading.posture).max().map_or(0, |last| last + 1);
-        // Of compliances alone: what else is sought has other units.
+        // Of compliances alone: what else is searched for has other units.
         let compliances = self.springs.iter().filter(|spring| spring.is_compliance()).count();
         let system = System { a: self.system.a.columns(0, compliances).into_owned(), y: self.system.y.clone() };
-        let (singular_values, least_seen) = told::seen(&system.weighted(&self.weights));
+        let (singular_values, least_seen) = diagnostics::seen(&system.weighted(&self.weights));
         let left_out: Option<Vec<f64>> = spread
             .left_out
             .iter()
@@ -421,8 +421,14 @@ impl<'a> Work<'a> {
             singular_values,
             least_seen,
             correlation,
-            residuals: told::residuals(self.readings, &self.system.y, solution, (spread, weights), &robust.ratios),
-            outliers: told::outliers(self.readings, &robust.ratios, bound(self.readings.len())),
+            residuals: diagnostics::residuals(
+                self.readings,
+                &self.system.y,
+                solution,
+                (spread, weights),
+                &robust.ratios,
+            ),
+            outliers: diagnostics::outliers(self.readings, &robust.ratios, bound(self.readings.len())),
             postures,
             remarks: Vec::new(),
         }
@@ -460,9 +466,9 @@ impl Rows {
 const SETTLED: f64 = 1e-11;
 
 /// All values, those that are held among them.
-fn values_of(sought: &[usize], found: &[f64], held: &[Option<f64>]) -> Vec<f64> {
+fn values_of(unknowns: &[usize], found: &[f64], held: &[Option<f64>]) -> Vec<f64> {
     let mut values: Vec<f64> = held.iter().map(|held| held.unwrap_or(0.0)).collect();
-    sought.iter().zip(found).for_each(|(&i, value)| values[i] = *value);
+    unknowns.iter().zip(found).for_each(|(&i, value)| values[i] = *value);
     values
 }
 

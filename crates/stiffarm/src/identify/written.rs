@@ -82,8 +82,8 @@ fn compensator(known: GravityCompensator, estimates: &[Estimate]) -> GravityComp
     let used = |spring: Spring| found(spring).map(|one| one.used);
     let stiffness = used(Spring::Compensator).unwrap_or(known.stiffness);
     let preload = used(Spring::Preload).unwrap_or(known.stiffness * known.free_length);
-    let is_sought = estimates.iter().any(|one| one.spring == Spring::Preload);
-    let free_length = if is_sought { rounded(preload / stiffness, 1e3) } else { known.free_length };
+    let is_unknown = estimates.iter().any(|one| one.spring == Spring::Preload);
+    let free_length = if is_unknown { rounded(preload / stiffness, 1e3) } else { known.free_length };
     GravityCompensator { stiffness: rounded(stiffness, 1e-3), free_length, ..known }
 }
 

@@ -28,7 +28,7 @@ const WORTH: f64 = 3e-4;
 const ROOM: f64 = 4e-4;
 /// Values that agree so well, relative, are equal: where two eigenvalues nearly agree, no more digits are known.
 const EQUAL: f64 = 1e-7;
-/// Most ways to hold a point that are told apart: mirrored postures are two.
+/// Most ways to hold a point that are distinguished: mirrored postures are two.
 const MOST: usize = 4;
 
 /// One way to hold a point.

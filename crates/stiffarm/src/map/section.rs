@@ -259,7 +259,7 @@ impl<'a> Scan<'a> {
         let cells = of_one_roll.flat_map(|holds| {
             let work = Self::work(self.options, x, z, holds[0].roll);
             let found = at_centre(self.freed, &Self::plane(self.options, &work), &work);
-            holds.iter().map(move |hold| self.told(hold, of_configuration(&found, hold.configuration)))
+            holds.iter().map(move |hold| self.cell_of(hold, of_configuration(&found, hold.configuration)))
         });
         // A margin of NaN is that of no way at all.
         cells.fold(none, |best, other| {
@@ -271,7 +271,7 @@ impl<'a> Scan<'a> {
     }
 
     /// The cell that one way to hold a point gives, from its model angles.
-    fn told(&self, hold: &Hold, theta: Option<[f64; 6]>) -> Cell {
+    fn cell_of(&self, hold: &Hold, theta: Option<[f64; 6]>) -> Cell {
         let limit_margin = theta.and_then(|theta| {
             let q = roomiest(self.freed, &theta)?;
             let Limits { joints, elbow, .. } = &self.freed.limits;

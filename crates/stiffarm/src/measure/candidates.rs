@@ -40,8 +40,8 @@ pub(super) fn postures(
     let posture = |n: usize| {
         let at = halton(n);
         // To a hundredth of a degree, so that what is told is what is meant.
-        let told = |angle: f64| ((angle.to_degrees() * 100.0).round() / 100.0).to_radians();
-        std::array::from_fn(|i| told(ends[i][0] + at[i] * (ends[i][1] - ends[i][0])))
+        let rounded = |angle: f64| ((angle.to_degrees() * 100.0).round() / 100.0).to_radians();
+        std::array::from_fn(|i| rounded(ends[i][0] + at[i] * (ends[i][1] - ends[i][0])))
     };
     let mut postures = Vec::with_capacity(wanted);
     for start in (0..MOST_REFUSED * wanted).step_by(wanted.max(1)) {

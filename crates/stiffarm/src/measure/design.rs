@@ -104,14 +104,14 @@ impl Repeats {
 
 /// What runs tell, posture by posture.
 #[derive(Clone, Debug)]
-struct Told {
+struct Information {
     repeats: Repeats,
     /// Of every posture the sum over its runs as if each were alone, and how many there are.
     postures: BTreeMap<usize, (Matrix6<f64>, usize)>,
     matrix: Matrix6<f64>,
 }
 
-impl Told {
+impl Information {
     fn of(information: &[Matrix6<f64>], runs: impl IntoIterator<Item = usize>, repeats: Repeats) -> Self {
         let mut postures: BTreeMap<usize, (Matrix6<f64>, usize)> = BTreeMap::new();
         for run in runs {
@@ -261,15 +261,15 @@ impl Kept {
     ) -> Result<Chosen, Stopped> {
         let among = self.promising(information, shares, EXCHANGED.max(count * repeats.ways));
         let mut runs = rounded(&among, &shares.weights, (count, repeats));
-        let told = |runs: &[usize]| Told::of(information, runs.iter().copied(), repeats).matrix;
+        let matrix_of = |runs: &[usize]| Information::of(information, runs.iter().copied(), repeats).matrix;
         let value_of = |matrix: &Matrix6<f64>| self.value(matrix).unwrap_or(f64::INFINITY);
-        let mut value = value_of(&told(&runs));
+        let mut value = value_of(&matrix_of(&runs));
         loop {
             let mut improved = false;
             for place in 0..runs.len() {
                 parts.one_more()?;
                 let others = runs.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, run)| *run);
-                let without = Told::of(information, others, repeats);
+                let without = Information::of(information, others, repeats);
                 let tried = parallel::each(&among, |&i| Some((value_of(&without.with(i, information)?), i)));
                 let best = tried.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 if let Some((better, i)) = best.filter(|(better, _)| *better < value * (1.0 - 1e-9)) {
@@ -277,7 +277,7 @@ impl Kept {
                 }
             }
             if !improved {
-                let matrix = told(&runs);
+                let matrix = matrix_of(&runs);
                 return Ok(Chosen { runs, value, matrix });
             }
         }
@@ -303,7 +303,7 @@ impl Kept {
         let mut values: Vec<f64> = (0..RANDOM)
             .map(|_| {
                 let runs: Vec<usize> = (0..count).map(|_| rng.usize(..information.len())).collect();
-                self.value(&Told::of(information, runs, repeats).matrix).unwrap_or(f64::INFINITY)
+                self.value(&Information::of(information, runs, repeats).matrix).unwrap_or(f64::INFINITY)
             })
             .collect();
         values.sort_by(f64::total_cmp);
@@ -411,11 +411,11 @@ mod tests {
                 if (0..4).any(|posture| 2 < of(posture).count()) {
                     continue;
                 }
-                let told = |posture: usize| {
+                let weight_of = |posture: usize| {
                     let count = of(posture).count() as f64;
                     of(posture).map(|&run| plain[run]).sum::<Matrix6<f64>>() / (sigma * sigma + count * tau * tau)
                 };
-                best = best.min(kept.value(&(0..4).map(told).sum()).unwrap_or(f64::INFINITY));
+                best = best.min(kept.value(&(0..4).map(weight_of).sum()).unwrap_or(f64::INFINITY));
             }
             assert!(shares.bound / 4.0 <= best * (1.0 + 1e-9), "{} is no bound of {best}", shares.bound / 4.0);
             assert!(best <= chosen.value * (1.0 + 1e-9) && chosen.value <= 1.05 * best, "{} and {best}", chosen.value);

@@ -189,7 +189,7 @@ pub enum MeasureError {
     TooFew {
         /// How many were asked for.
         runs: usize,
-        /// How many drives are to be told apart.
+        /// How many drives are to be distinguished.
         drives: usize,
         /// The fewest.
         least: usize,
@@ -435,8 +435,8 @@ impl<'a> Search<'a> {
 
     /// The drive of which a matrix tells least.
     fn weakest(&self, matrix: &Matrix6<f64>) -> usize {
-        let told = |drive: &usize| matrix[(*drive, *drive)];
-        self.kept.drives.iter().copied().min_by(|a, b| told(a).total_cmp(&told(b))).map_or(1, |drive| drive + 1)
+        let known = |drive: &usize| matrix[(*drive, *drive)];
+        self.kept.drives.iter().copied().min_by(|a, b| known(a).total_cmp(&known(b))).map_or(1, |drive| drive + 1)
     }
 
     fn plan(&self, shares: &Shares, chosen: &Chosen, parts: &Parts) -> Result<Plan, MeasureError> {

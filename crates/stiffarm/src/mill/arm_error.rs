@@ -29,7 +29,7 @@ const LOOKED_AT: usize = 100;
 pub struct DrawnError {
     /// Half of them err by less.
     pub median: f64,
-    /// 95 of a hundred do.
+    /// 95th percentile.
     pub p95: f64,
 }
 

@@ -1,6 +1,6 @@
 //! Where and why does no path lead over a ladder?
 
-use super::climb::{Climb, Sought};
+use super::climb::{Climb, Goal};
 use super::fault::{Blocked, MillError, Why};
 use super::follow::{Arrangement, Pushed, held};
 use super::ladder::Ladder;
@@ -35,7 +35,7 @@ impl Ladder<'_> {
             return Ok(self.worst_blocked()?.unwrap_or_else(|| self.blocked_at(rung.samples.start, Why::Jump)));
         }
         let slow = Ladder { speeds: None, ..self.clone() };
-        let climb = Climb::new(&slow, Sought::LeastError, f32::MAX, false);
+        let climb = Climb::new(&slow, Goal::LeastError, f32::MAX, false);
         let is_fast = self.speeds.is_some() && climb.path(watch)?.is_ok();
         Ok(self.blocked_at(rung.samples.start, if is_fast { Why::Fast } else { Why::Jump }))
     }
@@ -90,7 +90,7 @@ impl Ladder<'_> {
         })
     }
 
-    /// What is said of a path that touches something, until it is sought anew with all that touches.
+    /// What is said of a path that touches something, until it is searched again with all that touches.
     pub(super) fn touches(&self) -> Blocked {
         self.blocked_at(0, Why::Jump)
     }

@@ -27,9 +27,9 @@ const FIRST: usize = 24;
 const MOST_CELLS: usize = 600;
 /// The bound of a sample is good enough this near to the error that is known, as a part of it.
 const ENOUGH: f64 = 1e-3;
-/// Samples of a run whose bounds are sought.
+/// Samples of a run whose bounds are searched for.
 const SAMPLES: usize = 3;
-/// Runs of which bounds are sought: those with the largest errors.
+/// Runs of which bounds are searched for: those with the largest errors.
 const RUNS: usize = 3;
 /// By how much an error of the ladder may be too large by rounding, as a part of it.
 const ROUNDING: f64 = 1e-6;

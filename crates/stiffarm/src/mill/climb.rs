@@ -23,9 +23,9 @@ pub(super) struct Node {
     pub(super) roll: usize,
 }
 
-/// What is sought of all paths over a ladder.
+/// What is searched for of all paths over a ladder.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Sought {
+pub(super) enum Goal {
     /// That whose largest error is least, m.
     LeastError,
     /// That whose joints move least: the sum of squared rates times time.
@@ -36,7 +36,7 @@ pub(super) enum Sought {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Climb<'a, 'l> {
     ladder: &'a Ladder<'l>,
-    sought: Sought,
+    goal: Goal,
     /// Nodes with a larger error are left aside, m.
     most: f32,
     /// Whole turns of joints 1, 4 and 6 count: each number of them is a node of its own.
@@ -59,12 +59,12 @@ struct Reached {
 }
 
 impl<'a, 'l> Climb<'a, 'l> {
-    pub(super) fn new(ladder: &'a Ladder<'l>, sought: Sought, most: f32, is_wound: bool) -> Self {
+    pub(super) fn new(ladder: &'a Ladder<'l>, goal: Goal, most: f32, is_wound: bool) -> Self {
         let turns = WINDING.map(|joint| {
             let range = ladder.arm.limits.joints[joint];
             if is_wound && range.is_bounded() { (range.width() / TAU).floor() as usize + 1 } else { 1 }
         });
-        Self { ladder, sought, most, is_wound, turns, rolls: ladder.grid.len() }
+        Self { ladder, goal, most, is_wound, turns, rolls: ladder.grid.len() }
     }
 
     /// The best path, a node a rung, and what it has; the first rung that no path reaches where there is none.
@@ -136,7 +136,7 @@ impl<'a, 'l> Climb<'a, 'l> {
         q: &[f64; 6],
         error: f64,
     ) -> (f64, u32) {
-        let counts_error = self.sought == Sought::LeastError;
+        let counts_error = self.goal == Goal::LeastError;
         let first = if counts_error { error } else { 0.0 };
         if last.values.is_empty() {
             return (first, 0);

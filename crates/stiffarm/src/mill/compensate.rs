@@ -27,7 +27,7 @@ use crate::toolpath::ToolPose;
 use crate::uncertainty::{quantile, quantile_of};
 use crate::watch::Watch;
 
-/// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
+/// Rounds in which the loaded posture is searched for, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
 const SETTLED: f64 = 1e-12;
 /// Relative allowance for rounding.
@@ -63,15 +63,15 @@ impl Compensated {
 pub struct Remaining {
     /// Half of the draws leave less.
     pub median: f64,
-    /// 95 of a hundred do.
+    /// 95th percentile.
     pub p95: f64,
     /// Of every draw, ascending.
     pub all: Vec<f64>,
-    /// What 95 of a hundred draws leave at most at each station by itself, m.
+    /// 95th percentile over the draws of what is left at each station by itself, m.
     pub along: Vec<f64>,
     /// What half of the draws do, m.
     pub median_along: Vec<f64>,
-    /// What 95 of a hundred have where nothing is compensated, m.
+    /// The same where nothing is compensated, m.
     pub without: Vec<f64>,
 }
 

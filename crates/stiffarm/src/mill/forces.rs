@@ -410,14 +410,15 @@ mod tests {
                 one(6, feed, [0.0, 0.2], [0.0, 0.3], given),
             ]
         };
-        let told = |ae: f64, side: &str, given: Given| {
+        let remarks_of = |ae: f64, side: &str, given: Given| {
             let narrow = SLOT.replace("ae_mm = 16", &format!("ae_mm = {ae}")).replace("\"slot\"", &format!("{side:?}"));
             let process = Forcing::Process(read_process(&narrow, "narrow.toml").unwrap().process);
             forced(&path(given), &Steps::USUAL, &process, None, Watch::nobody()).unwrap().remarks
         };
         for side in ["up", "down"] {
-            let remarks = told(4.0, side, nothing);
-            let starting = |start: &str| remarks.iter().filter(|told| told.contains(start)).collect::<Vec<_>>();
+            let remarks = remarks_of(4.0, side, nothing);
+            let starting =
+                |start: &str| remarks.iter().filter(|remarks_of| remarks_of.contains(start)).collect::<Vec<_>>();
             let [cut] = starting("the cut of the process")[..] else { panic!("{remarks:?}") };
             assert!(cut.contains("2 mm deep and 4 mm wide, is taken on every feed move, in air too"), "{cut}");
             let [begins, turns] = starting("WIDER CUTS")[..] else { panic!("{remarks:?}") };
@@ -425,10 +426,16 @@ mod tests {
             assert!(turns.starts_with("WIDER CUTS: line 4: 1 times the feed turns by more than 30 deg"), "{turns}");
         }
         // No cut is wider than a slot, and what the path says itself is not the process's.
-        let slot = told(16.0, "slot", nothing);
-        assert!(slot.iter().any(|told| told.contains("in air too")) && !slot.iter().any(|told| told.contains("WIDER")));
-        let given = told(4.0, "up", down);
-        assert!(!given.iter().any(|told| told.contains("in air too") || told.contains("WIDER")), "{given:?}");
+        let slot = remarks_of(16.0, "slot", nothing);
+        assert!(
+            slot.iter().any(|remarks_of| remarks_of.contains("in air too"))
+                && !slot.iter().any(|remarks_of| remarks_of.contains("WIDER"))
+        );
+        let given = remarks_of(4.0, "up", down);
+        assert!(
+            !given.iter().any(|remarks_of| remarks_of.contains("in air too") || remarks_of.contains("WIDER")),
+            "{given:?}"
+        );
     }
 
     /// Along a square: over the way in the axes of the cut, over time in those of the part; by hand.

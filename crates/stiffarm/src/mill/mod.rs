@@ -1,6 +1,6 @@
 //! Verb: how far is the tool pushed off along a path that a robot mills, at the best roll of the tool about its axis?
 //!
-//! The tool is round: how far it is turned about its axis is free (functional redundancy). What is sought is the smoothest path of rolls of
+//! The tool is round: how far it is turned about its axis is free (functional redundancy). What is searched for is the smoothest path of rolls of
 //! those whose largest error is nearly the least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of
 //! rolls beats (`bound`); where that lies far below, rolls are looked at once more in finer steps. Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
 
@@ -177,7 +177,7 @@ pub fn mill(
 }
 
 impl Question<'_> {
-    /// The best of so many rolls, with what is proved of all, and over what it was sought.
+    /// The best of so many rolls, with what is proved of all, and over what it was searched for.
     fn milled(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Milled), MillError> {
         let mut ladder = self.ladder(stand, rolls, watch)?;
         let samples = match self.solve(&mut ladder, stand, watch)? {

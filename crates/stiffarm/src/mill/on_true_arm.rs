@@ -27,7 +27,7 @@ use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
 use crate::watch::Watch;
 
-/// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
+/// Rounds in which the loaded posture is searched for, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
 const SETTLED: f64 = 1e-13;
 /// A third point counts where it is so far beside the line through two others, as a part of their distance.
@@ -227,7 +227,7 @@ impl Setup<'_> {
         Ok(counted.map_or_else(|| off.norm(), |counted| counted.dot(&off).abs()))
     }
 
-    /// The link angles at which the springs hold a wrench, sought round by round.
+    /// The link angles at which the springs hold a wrench, found round by round.
     fn loaded(&self, free: &[f64; 6], wrench: Option<&Wrench>, line: usize) -> Result<[f64; 6], MillError> {
         let (mut psi, Some(wrench)) = (*free, wrench) else { return Ok(*free) };
         let mut change = f64::INFINITY;

@@ -1,7 +1,7 @@
 //! Where must a part stand, so that the largest error along its path is least?
 //!
 //! Searched: where, and how far the part is turned about the vertical. Where nothing says where about the joint-1 axis the part may stand,
-//! it is placed straight ahead; in a cell it is sought in the cell (`ground`). First over all of these on some samples (those that lie outermost, those under the largest forces,
+//! it is placed straight ahead; in a cell it is searched for in the cell (`ground`). First over all of these on some samples (those that lie outermost, those under the largest forces,
 //! some in between), then step by step from the best, then along the whole path, whose worst sample joins the others. Proved: a
 //! lower bound by branch and bound over the places, on the same samples, each at its own best roll.
 
@@ -79,7 +79,7 @@ pub struct PathPlaced {
     pub milled: Milled,
     /// No place that is allowed has a smaller largest error, m; 0 where nothing is proved.
     pub lower_bound: f64,
-    /// How finely was sought.
+    /// How finely was searched for.
     pub resolution: PathResolution,
 }
 
@@ -135,8 +135,8 @@ pub fn place_path(
         return Err(MillError::PinnedElse);
     }
     check_normals(stations, options.part)?;
-    let sought = Search::new(robot, flange_from_tool, stations, (options, ground))?;
-    let Some(mut search) = sought else { return Ok(Err(None)) };
+    let search = Search::new(robot, flange_from_tool, stations, (options, ground))?;
+    let Some(mut search) = search else { return Ok(Err(None)) };
     let arm = search.arm.clone();
     let question = Question { robot, arm: &arm, stations, options };
     let (mut best, mut nearest): (Option<(f64, Place, Followed)>, Option<Blocked>) = (None, None);

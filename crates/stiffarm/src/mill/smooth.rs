@@ -1,6 +1,6 @@
 //! Rolls between the lines of the grid: smoother than a path of nodes, and never worse.
 
-use super::climb::{Climb, Sought};
+use super::climb::{Climb, Goal};
 use super::contact::Guard;
 use super::fault::MillError;
 use super::follow::Arrangement;
@@ -21,7 +21,7 @@ pub(super) fn smoothed(
     guard: Option<&Guard>,
     watch: Watch,
 ) -> Result<Vec<Arrangement>, MillError> {
-    let climb = Climb::new(ladder, Sought::LeastMotion, f32::MAX, false);
+    let climb = Climb::new(ladder, Goal::LeastMotion, f32::MAX, false);
     let error_of = |k: usize, arrangement: Arrangement| Ok(ladder.errors_of(k, arrangement, &[arrangement.roll])?[0]);
     let is_clear = |k: usize, from: Arrangement, to: Arrangement| {
         guard.map_or(Ok(true), |guard| Ok::<_, MillError>(ladder.touch_from(guard, k, from, to)?.is_none()))

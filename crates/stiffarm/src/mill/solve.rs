@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use super::climb::{Node, Sought};
+use super::climb::{Goal, Node};
 use super::contact::{Bodies, ClearOf, Guard};
 use super::fault::{Blocked, MillError, Why};
 use super::follow::{Arrangement, Pushed, Stand, follow};
@@ -21,7 +21,7 @@ use crate::watch::Watch;
 pub(super) const ROLLS: [usize; 2] = [180, 720];
 /// By how much of its largest error a path may be worse for the sake of smoother joints.
 const SPARE: f64 = 0.01;
-/// How often a path is sought at a slower pace where joints turn too fast between its rungs, and by how much more than that asks for.
+/// How often a path is searched for at a slower pace where joints turn too fast between its rungs, and by how much more than that asks for.
 const PACES: usize = 5;
 const SLOWER: f64 = 0.98;
 /// Constant and linear rolls that are followed at most before it is said that none is.
@@ -340,7 +340,7 @@ impl Ladder<'_> {
         self.courses((0..self.grid.len()).map(|roll| (roll, 0.0)))
     }
 
-    /// The same with the best one sought between the lines of the grid, too.
+    /// The same with the best one searched for between the lines of the grid, too.
     fn fine_constant_rolls(&self) -> Result<Vec<Course>, MillError> {
         const FINE: usize = 40;
         let courses = self.constant_rolls();
@@ -424,19 +424,19 @@ impl Ladder<'_> {
         watch: Watch,
     ) -> Result<Result<(Vec<Node>, f32), usize>, MillError> {
         let floor = self.floor();
-        let mut sought = |sought: Sought, most: f32| self.clear_path(guard, (sought, most, is_wound), watch);
+        let mut path_to = |goal: Goal, most: f32| self.clear_path(guard, (goal, most, is_wound), watch);
         // What is spared of the least error is no less than `most` where that is near what no path goes below.
         if f64::from(most) <= (1.0 + SPARE) * f64::from(floor)
-            && let Ok((path, _)) = sought(Sought::LeastMotion, most)?
+            && let Ok((path, _)) = path_to(Goal::LeastMotion, most)?
         {
             return Ok(Ok((path, most)));
         }
-        let (path, least) = match sought(Sought::LeastError, most)? {
+        let (path, least) = match path_to(Goal::LeastError, most)? {
             Ok(found) => found,
             Err(rung) => return Ok(Err(rung)),
         };
         let most = ((least * (1.0 + SPARE)) as f32).min(most);
-        let smooth = sought(Sought::LeastMotion, most)?;
+        let smooth = path_to(Goal::LeastMotion, most)?;
         Ok(Ok((smooth.map_or(path, |found| found.0), most)))
     }
 

@@ -67,7 +67,7 @@ pub fn modes_over(
 ) -> Result<SwingOverZone, ModesError> {
     let arm = SwingingArm::new(model.robot(), tool)?;
     let (Model::Spatial(model), Some(hold)) = (model, placement.space()) else { return Err(ModesError::NotInSpace) };
-    let held = HeldSwing::new(model, &arm, zone, (options.stance().elevation, hold.work(placement), hold));
+    let held = HeldSwing::new(model, &arm, zone, (options.tool_orientation().elevation, hold.work(placement), hold));
     let grid = Grid::of(zone, CELLS);
     let samples = grid.points.iter().map(|&at| Ok((at, held.frequencies(at)?)));
     let samples: Vec<([f64; 2], Vec<f64>)> = samples.collect::<Result<_, ModesError>>()?;

@@ -67,7 +67,7 @@ impl Within {
 
 /// How the tool is held against the zone; for the spatial model.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stance {
+pub struct ToolOrientation {
     /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead, `pi/2` up.
     pub elevation: f64,
     /// Angles of the zone's plane about the vertical that are tried, rad: at 0 it faces the robot, beyond a quarter turn
@@ -78,7 +78,7 @@ pub struct Stance {
     pub roll: Option<f64>,
 }
 
-impl Stance {
+impl ToolOrientation {
     /// The tool points straight down, at the best roll.
     pub fn tool_down() -> Self {
         Self::tool_at(-std::f64::consts::FRAC_PI_2)
@@ -111,7 +111,7 @@ pub struct PlaceOptions {
     /// proved where a bounded number of boxes is enough.
     pub gap: Option<f64>,
     /// How the tool is held, spatial model only; straight down where `None`.
-    pub stance: Option<Stance>,
+    pub tool_orientation: Option<ToolOrientation>,
     /// What every place keeps from limits, straight postures, the robot's column and the floor.
     pub margins: Margins,
     /// How the robot stands in its cell, and what else stands there; spatial model only. Its windows replace `within`. Alone on the floor
@@ -127,7 +127,16 @@ impl PlaceOptions {
     pub const fn under(load: Load) -> Self {
         let margins = Margins::NONE;
         let orientation = Orientation::Axes;
-        Self { load, orientation, within: None, gap: None, stance: None, margins, cell: None, tool_weight: None }
+        Self {
+            load,
+            orientation,
+            within: None,
+            gap: None,
+            tool_orientation: None,
+            margins,
+            cell: None,
+            tool_weight: None,
+        }
     }
 
     /// What an engineer would ask of a cell: in front of the robot and above the floor, clear of its column, of joint limits and of straight
@@ -137,8 +146,8 @@ impl PlaceOptions {
     }
 
     /// How the tool is held: straight down where nothing is said.
-    pub fn stance(&self) -> Stance {
-        self.stance.unwrap_or_else(Stance::tool_down)
+    pub fn tool_orientation(&self) -> ToolOrientation {
+        self.tool_orientation.unwrap_or_else(ToolOrientation::tool_down)
     }
 
     /// Where the zone may stand, and where a model looks when nothing is said.

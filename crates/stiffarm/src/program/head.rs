@@ -21,14 +21,14 @@ pub(super) struct Dialect<'a> {
 
 /// Every tool with the words before its frame.
 pub(super) fn tools(program: &Program, what: &str) -> Vec<(String, Pose)> {
-    let told = |tool: &super::Tool| (format!("{}, {what}", tool.name()), tool.flange_from_tool);
-    program.setup.tools.iter().map(told).collect()
+    let named = |tool: &super::Tool| (format!("{}, {what}", tool.name()), tool.flange_from_tool);
+    program.setup.tools.iter().map(named).collect()
 }
 
 /// The sentences of the head.
 pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     let setup = program.setup;
-    let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
+    let frame = |what: &str, pose: &Pose| format!("{what}: {}", pose_in_words(pose, dialect.angles));
     let first = setup.controller.of_calibration().iter().chain(of_joints(setup.pendant));
     let mut head: Vec<String> = first.map(|sentence| (*sentence).to_owned()).collect();
     head.push(if setup.tools.len() < 2 {
@@ -95,7 +95,7 @@ fn of_joints(pendant: &Pendant) -> &'static [&'static str] {
 }
 
 /// A pose in words.
-pub(super) fn told(pose: &Pose, names: [&str; 3]) -> String {
+pub(super) fn pose_in_words(pose: &Pose, names: [&str; 3]) -> String {
     let t = pose.translation;
     let angles = Zyx::of(&pose.rotation).degrees();
     let turned: Vec<String> =

@@ -12,13 +12,13 @@ const ROUNDING: f64 = 1e-9;
 
 /// A rank as far as it is proved: one more than the number of robots that are certainly better.
 ///
-/// Robots that cannot be told apart from the best are all first. Where a chain of intervals overlaps, a robot in its middle may share the
+/// Robots that cannot be distinguished from the best are all first. Where a chain of intervals overlaps, a robot in its middle may share the
 /// rank of those before it, while the last of the chain, which the first is certainly better than, does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rank {
     /// From 1.
     pub place: usize,
-    /// Some other robot cannot be told apart from it.
+    /// Some other robot cannot be distinguished from it.
     pub is_tied: bool,
 }
 
@@ -142,7 +142,7 @@ mod tests {
     fn intervals_that_overlap_share_a_rank() {
         assert_eq!(told(&[Some([1.0, 1.0]), Some([2.0, 2.0]), Some([3.0, 3.0])]), ["1", "2", "3"]);
         assert_eq!(told(&[Some([1.0, 2.0]), Some([1.5, 2.5]), Some([3.0, 3.0])]), ["1=", "1=", "3"]);
-        // Equal robots; what touches is not told apart.
+        // Equal robots; what touches is not distinguished.
         assert_eq!(told(&[Some([2.0, 2.0]), Some([2.0, 2.0]), Some([2.1, 2.2])]), ["1=", "1=", "3"]);
         // A chain: the first is certainly better than the last, the one in the middle may be as good as both.
         assert_eq!(told(&[Some([1.0, 2.0]), Some([1.9, 2.9]), Some([2.5, 3.0])]), ["1=", "1=", "2="]);

@@ -16,7 +16,7 @@ const NEAR_BY: f64 = 1e-3;
 
 /// A zone that stands symmetrically about a ray from the joint-2 axis, lengths over `l2 + l3`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stance<'a> {
+pub(super) struct SymmetricPlace<'a> {
     contender: &'a Contender,
     depth: f64,
     half_width: f64,
@@ -24,10 +24,10 @@ pub(super) struct Stance<'a> {
     outermost: f64,
 }
 
-impl<'a> Stance<'a> {
+impl<'a> SymmetricPlace<'a> {
     /// The ways of standing that some link ratio allows.
     pub(super) fn all(contender: &'a Contender, zone: Zone) -> impl Iterator<Item = Self> {
-        zone.stances().filter_map(move |(depth, half_width)| {
+        zone.symmetric_places().filter_map(move |(depth, half_width)| {
             let outermost = (1.0 - half_width * half_width).sqrt() - depth;
             (0.0 <= outermost).then_some(Self { contender, depth, half_width, outermost })
         })
@@ -69,7 +69,7 @@ impl<'a> Stance<'a> {
 
     /// A value that no share between two judged ones, both up to 1/2 or both from it, falls below.
     ///
-    /// Let `n(x)` be any line, here that of the best near ends. Every stance with a share `x` in between either is nearer
+    /// Let `n(x)` be any line, here that of the best near ends. Every place with a share `x` in between either is nearer
     /// than `n(x)`, and then its near end is no stiffer than a plane under sigma that falls with the distance has it at
     /// `n(x)`; or it is farther, and then the same holds of its far end and a plane that rises. Planes are linear in the
     /// squares of distance and lengths, which are squares of lines in `x`: parabolas, whose least values are known.
@@ -109,41 +109,41 @@ struct Judged {
 ///
 /// Branch and bound: intervals of shares are halved until no bound lies below the best found by more than [`GAP`].
 pub(super) fn best<'a>(contender: &'a Contender, zone: Zone, shares: Interval) -> Option<(f64, f64)> {
-    let mut best: Option<(Stance<'a>, Judged)> = None;
-    let mut better = |stance: Stance<'a>, judged: Judged| {
+    let mut best: Option<(SymmetricPlace<'a>, Judged)> = None;
+    let mut better = |place: SymmetricPlace<'a>, judged: Judged| {
         if best.is_none_or(|(_, best)| judged.accuracy < best.accuracy) {
-            best = Some((stance, judged));
+            best = Some((place, judged));
         }
         best.map_or(f64::INFINITY, |(_, best)| best.accuracy)
     };
-    let mut open: Vec<(Stance, [Judged; 2])> = Vec::new();
-    for stance in Stance::all(contender, zone) {
-        let Some(fitting) = stance.shares().intersect(shares) else { continue };
+    let mut open: Vec<(SymmetricPlace, [Judged; 2])> = Vec::new();
+    for place in SymmetricPlace::all(contender, zone) {
+        let Some(fitting) = place.shares().intersect(shares) else { continue };
         for half in [Interval::spanning(0.0, 0.5), Interval::spanning(0.5, 1.0)] {
             let Some(part) = fitting.intersect(half) else { continue };
-            let ends = [part.min(), part.max()].map(|x| stance.judged(x));
+            let ends = [part.min(), part.max()].map(|x| place.judged(x));
             for end in ends {
-                better(stance, end);
+                better(place, end);
             }
-            open.push((stance, ends));
+            open.push((place, ends));
         }
     }
     while !open.is_empty() {
         let mut halves = Vec::new();
-        for (stance, [a, b]) in open {
-            let middle = stance.judged(f64::midpoint(a.x, b.x));
-            let least = better(stance, middle);
+        for (place, [a, b]) in open {
+            let middle = place.judged(f64::midpoint(a.x, b.x));
+            let least = better(place, middle);
             let parts = [[a, middle], [middle, b]];
-            let is_open = |part: &[Judged; 2]| SAME < part[1].x - part[0].x && stance.bound(part) < least * (1.0 - GAP);
-            halves.extend(parts.into_iter().filter(is_open).map(|part| (stance, part)));
+            let is_open = |part: &[Judged; 2]| SAME < part[1].x - part[0].x && place.bound(part) < least * (1.0 - GAP);
+            halves.extend(parts.into_iter().filter(is_open).map(|part| (place, part)));
         }
         open = halves;
     }
     // The floor of a valley is flat: the value is known to more digits than the share at which it lies.
-    let (stance, found) = best?;
+    let (place, found) = best?;
     let near_by = Interval::spanning(found.x - NEAR_BY, found.x + NEAR_BY);
-    let near_by = stance.shares().intersect(shares)?.intersect(near_by)?;
-    let polished = minimum(near_by.min(), near_by.max(), |x| stance.judged(x).accuracy);
+    let near_by = place.shares().intersect(shares)?.intersect(near_by)?;
+    let polished = minimum(near_by.min(), near_by.max(), |x| place.judged(x).accuracy);
     Some(if polished.1 < found.accuracy { polished } else { (found.x, found.accuracy) })
 }
 

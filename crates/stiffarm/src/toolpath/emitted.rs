@@ -115,7 +115,7 @@ impl Lengths {
     }
 
     /// A length in m as it is written.
-    pub(super) fn told(&self, length: f64) -> String {
+    pub(super) fn written(&self, length: f64) -> String {
         number(length / self.unit, self.decimals)
     }
 }
@@ -163,7 +163,10 @@ mod tests {
         assert_eq!(number(12.0, 0), "12.0");
         let [mm, inch, m] =
             [Lengths::of(LengthUnit::Millimetre), Lengths::of(LengthUnit::Inch), Lengths::of_metres(1.0)];
-        assert_eq!([mm.told(0.012_345_6), inch.told(0.0254), m.told(0.012_345_6)], ["12.3456", "1.0", "0.0123456"]);
+        assert_eq!(
+            [mm.written(0.012_345_6), inch.written(0.0254), m.written(0.012_345_6)],
+            ["12.3456", "1.0", "0.0123456"]
+        );
         assert!(mm.are_alike(1.0, 1.000_000_04) && !mm.are_alike(1.0, 1.000_000_06));
     }
 }

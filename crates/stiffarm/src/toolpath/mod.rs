@@ -92,10 +92,10 @@ impl Format {
     pub fn not_read(name: &str) -> Option<&'static str> {
         let (_, ending) = name.rsplit_once('.')?;
         Some(match ending.to_ascii_lowercase().as_str() {
-            "h" | "hnc" => Language::HeidenhainConversational.told(),
-            "i" => Language::HeidenhainIso.told(),
-            "sbp" => Language::OpenSbp.told(),
-            "plt" | "hpgl" => Language::Hpgl.told(),
+            "h" | "hnc" => Language::HeidenhainConversational.explained(),
+            "i" => Language::HeidenhainIso.explained(),
+            "sbp" => Language::OpenSbp.explained(),
+            "plt" | "hpgl" => Language::Hpgl.explained(),
             "nci" => "the intermediate file of Mastercam; choose a post of G-code in it",
             "txt" => "text, which may be written in any way; say read-as gcode, apt or csv",
             "step" | "stp" | "stl" | "iges" | "igs" | "dxf" => {

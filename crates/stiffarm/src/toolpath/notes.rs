@@ -48,22 +48,22 @@ impl Notes {
     }
 
     pub(super) fn assumed(&self) -> Vec<String> {
-        let told = |(what, line): &(String, usize)| match line {
+        let with_line = |(what, line): &(String, usize)| match line {
             0 => what.clone(),
             line => format!("{what} (line {line})"),
         };
-        self.assumed.iter().map(told).collect()
+        self.assumed.iter().map(with_line).collect()
     }
 
     pub(super) fn ignored(&self) -> Vec<String> {
-        let told = |Inert { word, first, count }: &Inert| match count {
+        let with_count = |Inert { word, first, count }: &Inert| match count {
             1 => format!("{word} (line {first})"),
             count => format!("{word} ({count} times, first in line {first})"),
         };
-        let mut told: Vec<String> = self.ignored.iter().map(told).collect();
+        let mut lines: Vec<String> = self.ignored.iter().map(with_count).collect();
         if 0 < self.further {
-            told.push(format!("{} further words", self.further));
+            lines.push(format!("{} further words", self.further));
         }
-        told
+        lines
     }
 }

@@ -17,7 +17,7 @@ pub(super) const TOLD: usize = 3;
 const CANDIDATES: usize = 400;
 /// deg: the postures that are told are easily typed.
 const ROUND: f64 = 5.0;
-/// Another way of counting is told apart where it is off by so many times what agrees.
+/// Another way of counting is distinguished where it is off by so many times what agrees.
 const CLEARLY: f64 = 4.0;
 
 /// So many numbers must be read beyond those that base, tool and zeros can fit.
@@ -31,7 +31,7 @@ struct Rival {
     fit: Fit,
 }
 
-/// What is not told apart by these readings, in words; and the postures that would tell it, rad, none where no posture can.
+/// What is not distinguished by these readings, in words; and the postures that would tell it, rad, none where no posture can.
 pub(super) fn apart(
     table: &Table,
     (geometry, limits): (&Geometry, &Limits),

@@ -130,7 +130,7 @@ impl<'a> Table<'a> {
         let [first, second] = found;
         let (_, state) = if second.0 < first.0 { second } else { first };
         let convention = convention.added(free, &state.parameters);
-        self.told(&convention, geometry, &state)
+        self.fit_of(&convention, geometry, &state)
     }
 
     /// How far a convention is off with the base and the tool that the means give; a first glance.
@@ -163,7 +163,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    fn told(&self, convention: &Convention, geometry: &Geometry, state: &State) -> Fit {
+    fn fit_of(&self, convention: &Convention, geometry: &Geometry, state: &State) -> Fit {
         let (mut sum, mut count, mut turn) = (0.0, 0, None::<f64>);
         let distances: Vec<f64> = (self.sights.iter())
             .map(|sight| {

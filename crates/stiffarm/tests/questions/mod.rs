@@ -10,7 +10,7 @@ use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, Pendant, ThirdAxis};
 use stiffarm::load::Load;
 use stiffarm::model::{Model, ModelError};
-use stiffarm::place::{Column, Margins, Orientation, PlaceError, PlaceOptions, Placed, Stance, Within, place};
+use stiffarm::place::{Column, Margins, Orientation, PlaceError, PlaceOptions, Placed, ToolOrientation, Within, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
@@ -40,7 +40,7 @@ pub(crate) struct Asked {
 impl Asked {
     /// Tool down, the flange itself as the tool.
     pub(crate) fn tool_down(force: f64) -> Self {
-        let Stance { elevation, yaw, roll } = Stance::tool_down();
+        let ToolOrientation { elevation, yaw, roll } = ToolOrientation::tool_down();
         let (flange_from_tool, orientation) = (Pose::identity(), Orientation::Axes);
         Self {
             force,
@@ -60,7 +60,7 @@ impl Asked {
         let options = PlaceOptions {
             orientation,
             within: Some(within),
-            stance: Some(Stance { elevation, yaw, roll }),
+            tool_orientation: Some(ToolOrientation { elevation, yaw, roll }),
             margins,
             ..PlaceOptions::under(load)
         };

@@ -9,7 +9,7 @@ impl CalibrateAnswer {
     /// What a manager would read.
     pub fn headline(&self) -> Headline {
         let found = &self.found;
-        let mm = |metres: f64| format!("{} mm", fixed(Unit::Millimetre.told(metres), 3));
+        let mm = |metres: f64| format!("{} mm", fixed(Unit::Millimetre.of_si(metres), 3));
         let is_known = found.narrow.is_empty() && found.at_work.is_some() && found.moved.is_none();
         let outcome = if is_known { Outcome::Calibrated } else { Outcome::PartlyCalibrated };
         let by = if self.is_chosen { "the level with the largest evidence" } else { "the level that was asked for" };
@@ -23,13 +23,13 @@ impl CalibrateAnswer {
         )];
         sentences.push(match &found.at_work {
             Some(work) => format!(
-                "At the work {} are expected, {} to {} with 95 %; 95 of a hundred points are within {}.",
+                "At the work {} are expected, {} to {} with 95 %; 95th percentile {}.",
                 mm(work.expected),
                 mm(work.interval[0]),
                 mm(work.interval[1]),
                 mm(work.p95)
             ),
-            None => "The arm does not reach the work: nothing is told of the error there.".into(),
+            None => "The arm does not reach the work: nothing is known of the error there.".into(),
         });
         sentences.push(match found.wrong_rows.len() {
             0 => "No point stands out.".into(),

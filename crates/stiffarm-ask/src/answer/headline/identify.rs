@@ -20,7 +20,7 @@ impl IdentifyAnswer {
             _ => Outcome::PartlyIdentified,
         };
         let percent = |share: f64| format!("{} %", fixed(100.0 * share, 1));
-        let mm = |metres: f64| format!("{} mm", fixed(Unit::Millimetre.told(metres), 3));
+        let mm = |metres: f64| format!("{} mm", fixed(Unit::Millimetre.of_si(metres), 3));
         let mut sentences = vec![format!(
             "{known} of {all} compliances of the drives of {} are identified, from {} readings in {} postures.",
             self.before.full_name(),

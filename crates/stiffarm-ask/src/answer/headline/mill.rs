@@ -14,7 +14,7 @@ impl MillAnswer {
         let (outcome, sentences) = match self.followed() {
             None => {
                 let reason = self.reason().unwrap_or_default();
-                let outcome = if self.sought.is_some() || self.placement.is_none() {
+                let outcome = if self.search.is_some() || self.placement.is_none() {
                     Outcome::NoPlace
                 } else {
                     Outcome::NotFollowed
@@ -57,7 +57,7 @@ impl MillAnswer {
             fixed(margin, 4)
         )];
         if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
-            let (places, helps) = if self.sought.is_some() {
+            let (places, helps) = if self.search.is_some() {
                 ("of all places and ", "Neither another place nor turning the tool helps")
             } else {
                 ("", "Turning the tool does not help")
@@ -84,12 +84,13 @@ impl MillAnswer {
         let by_model = mm(compensation.done.by_joints);
         let Some((remaining, what)) = &compensation.remaining else {
             return Some(format!(
-                "Compensated, {by_model} is left by the model; the expected residual is not known, as nothing says how far the drives may be off."
+                "Compensated, {by_model} is left by the model; the expected residual is not known: the drive stiffness has no stated uncertainty."
             ));
         };
         let verdict = self.tolerance_mm.zip(self.compensated_verdict());
-        let verdict = verdict
-            .map_or_else(String::new, |(tolerance, verdict)| format!("; tolerance {tolerance} mm: {}", verdict.told()));
+        let verdict = verdict.map_or_else(String::new, |(tolerance, verdict)| {
+            format!("; tolerance {tolerance} mm: {}", verdict.in_words())
+        });
         Some(format!(
             "Compensated, {by_model} is left by the model; the expected residual ({what}) is {} in the median and {} with 95 %{verdict}.",
             mm(remaining.median),

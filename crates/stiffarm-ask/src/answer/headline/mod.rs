@@ -20,7 +20,7 @@ use stiffarm::uncertainty::Spread;
 pub enum Outcome {
     /// The tolerance is held, with a probability of 95 % or more.
     Passes,
-    /// It is held at the stiffness told, with a probability of less than that or one that nobody knows.
+    /// It is held at the nominal stiffness, with a probability of less than that or one that nobody knows.
     PassesPerhaps,
     /// The tolerance is not held.
     Fails,
@@ -111,7 +111,7 @@ pub struct Headline {
 
 /// Millimetres, as tables tell them.
 fn mm(metres: f64) -> String {
-    format!("{} mm", fixed(Unit::Millimetre.told(metres), 4))
+    format!("{} mm", fixed(Unit::Millimetre.of_si(metres), 4))
 }
 
 /// In a word.
@@ -125,7 +125,7 @@ fn judged(verdict: Verdict) -> Outcome {
 
 /// What a sentence about a tolerance that passes adds where the deflection more likely lies above it than below.
 fn proviso(verdict: Verdict) -> &'static str {
-    if verdict.is_rather_missed() { ", at the stiffness told; it more likely misses it" } else { "" }
+    if verdict.is_rather_missed() { ", at the nominal stiffness; it more likely misses it" } else { "" }
 }
 
 /// How likely the tolerance is held, where the value lies, and what to do about it.
@@ -135,10 +135,10 @@ fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String 
             StiffnessSource::Assumed => {
                 "How likely that is is not known: nothing is known of the drives; --stiffness prior takes what robots of this size have, `stiffarm measure` and `identify` what this one has.".into()
             }
-            _ => "How likely that is is not known: nothing says how far the drives may be off.".into(),
+            _ => "Its probability is not known: the drive stiffness has no stated uncertainty.".into(),
         };
     };
-    let [low, middle, high] = [p05, median, p95].map(|metres| fixed(Unit::Millimetre.told(metres), 3));
+    let [low, middle, high] = [p05, median, p95].map(|metres| fixed(Unit::Millimetre.of_si(metres), 3));
     let measure = if robot.identified().is_some() {
         "measure in more postures and with more loads (`stiffarm measure`)"
     } else {

@@ -10,7 +10,7 @@ use super::{Headline, Outcome};
 /// What every frequency is for.
 const MEANS: &str = "Teeth that pass at one of these frequencies, or at a half, a third, a quarter of it, excite the arm. `stiffarm chatter` computes from which depth a cut swings by itself.";
 /// Where nothing is known of the drives.
-const UNKNOWN: &str = "How far that may be off is not known: nothing says how far the drives may be off.";
+const UNKNOWN: &str = "Its interval is not known: the drive stiffness has no stated uncertainty.";
 
 fn interval(Spread { p05, p95, .. }: Spread) -> String {
     format!("the 90 % interval (drive stiffness) is {} to {} Hz.", fixed(p05, 1), fixed(p95, 1))

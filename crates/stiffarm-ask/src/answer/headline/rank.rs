@@ -76,7 +76,7 @@ impl RankAnswer {
             }
         };
         Some(format!(
-            "Proved at the stiffness told: {of} than the best (the nearest is {next} on {}, with no less than {bound}).",
+            "Proved at the nominal stiffness: {of} than the best (the nearest is {next} on {}, with no less than {bound}).",
             label(least)
         ))
     }

@@ -7,7 +7,7 @@ use super::super::Unit;
 use super::super::numbers::digits;
 use super::super::words::{self, fixed};
 use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, line, with_schema};
-use super::{DrawnPosture, looked_at, sight, told};
+use super::{DrawnPosture, in_degrees, looked_at, sight};
 use stiffarm::calibrate::{GEARS_PRIOR, WEIGHT_PRIOR};
 use stiffarm::limits::Pendant;
 use stiffarm::measure::{GeometryPlan, Options};
@@ -47,7 +47,7 @@ impl GeometryAnswer {
         });
         let run = |(i, q): (usize, &[f64; 6])| {
             let mut record = Record::new();
-            record.put(field::RUN, i + 1).put(field::JOINTS, told(q));
+            record.put(field::RUN, i + 1).put(field::JOINTS, in_degrees(q));
             record.json()
         };
         let mut at_work = Record::new();
@@ -86,7 +86,7 @@ impl GeometryAnswer {
         let joints = (1..=6).map(|i| number(format!("q{i}_deg")));
         let seen = (1..=count).flat_map(|i| ["x", "y", "z"].map(|axis| number(format!("{axis}{i}_mm"))));
         let row = |q: &[f64; 6]| {
-            let joints = told(q).map(Cell::Number).into_iter();
+            let joints = in_degrees(q).map(Cell::Number).into_iter();
             joints.chain(std::iter::repeat_n(Cell::Absent, 3 * count)).collect()
         };
         let rows = self.plan.postures.iter().map(row).collect();
@@ -142,14 +142,14 @@ impl GeometryAnswer {
         let joints_in_deg = format!("{} deg", words::joints_reported(&self.robot));
         let mut table = Table::new(["posture", &joints_in_deg]);
         for (i, q) in self.plan.postures.iter().enumerate() {
-            table.row([(i + 1).to_string(), told(q).map(|angle| fixed(angle, 2)).join(", ")]);
+            table.row([(i + 1).to_string(), in_degrees(q).map(|angle| fixed(angle, 2)).join(", ")]);
         }
         table
     }
 
     /// What stands below the table.
     pub fn notes(&self) -> String {
-        let mrad = |rad: f64| digits(Unit::Milliradian.told(rad), 2);
+        let mrad = |rad: f64| digits(Unit::Milliradian.of_si(rad), 2);
         format!(
             "{}{}\nassumed: frames of the joints are off by {} mm and mrad, drives yield by {} mrad under the own weight, gears err by {} mrad (one standard deviation each)\n\
              {}-o plan.csv writes the table to be filled in (x1_mm, y1_mm, z1_mm), which `stiffarm calibrate` reads\n",

@@ -85,7 +85,7 @@ impl DrawnPosture {
         let [_, points @ ..] = geometry.points(&theta);
         Some(Self {
             runs: [number; 2],
-            joint_1: told(q)[0],
+            joint_1: in_degrees(q)[0],
             points: points.map(|point| seen.aside(&Vector3::from(point))),
             markers: markers.iter().map(|point| seen.at(point)).collect(),
             load: load(&seen),
@@ -128,7 +128,7 @@ impl MeasureAnswer {
                 Some(DrawnLoad {
                     arrow: [seen.at(&self.options.load_at), seen.aside(&way.along)],
                     told: format!("{} N {}", fixed(self.options.newtons, 0), way.name),
-                    expected_mm: Unit::Millimetre.told(largest(run)),
+                    expected_mm: Unit::Millimetre.of_si(largest(run)),
                 })
             };
             found.extend(DrawnPosture::of(&self.robot, (i + 1, &run.q), &self.options.markers, load));
@@ -232,7 +232,7 @@ impl MeasureAnswer {
                     Cell::Absent,
                     Cell::Absent,
                     Cell::Absent,
-                    Cell::Number(Unit::Millimetre.told(expected.norm())),
+                    Cell::Number(Unit::Millimetre.of_si(expected.norm())),
                 ]);
                 rows.push(row);
             }
@@ -393,7 +393,7 @@ impl MeasureAnswer {
 /// From where markers are seen.
 fn sight(options: &Options) -> String {
     let Some(Instrument { at, cone }) = &options.instrument else {
-        return "from everywhere: where the instrument stands is not told (--instrument)".into();
+        return "from everywhere: where the instrument stands is not given (--instrument)".into();
     };
     let triple =
         |vector: &Vector3<f64>| vector.iter().map(|x| digits(*x, 3).to_string()).collect::<Vec<_>>().join(", ");
@@ -423,9 +423,9 @@ fn largest(run: &Run) -> f64 {
 
 /// As the robot reports them, deg, to a hundredth, to which they are chosen.
 fn joints(run: &Run) -> [f64; 6] {
-    told(&run.q)
+    in_degrees(&run.q)
 }
 
-fn told(q: &[f64; 6]) -> [f64; 6] {
+fn in_degrees(q: &[f64; 6]) -> [f64; 6] {
     q.map(|angle| (angle.to_degrees() * 100.0).round() / 100.0 + 0.0)
 }

@@ -15,7 +15,7 @@ use crate::request::{Refusal, Request, opt};
 
 /// How the arm's own geometry counts.
 #[derive(Clone, Debug, PartialEq)]
-pub enum ArmTold {
+pub enum ArmGeometry {
     /// It was calibrated: what is commanded, and what errs.
     Calibrated(Box<OnTrueArm>),
     /// It was not: so far such arms err along this path.
@@ -40,25 +40,25 @@ pub(super) fn check_mount(asked: &Request, robot: &Robot) -> Result<(), Refusal>
 }
 
 /// What the arm's geometry does along a path.
-pub(super) fn told(
+pub(super) fn looked_at(
     robot: &Robot,
     stand: &Stand,
     path: (&[Station], &[Pushed]),
     options: TrueOptions,
     watch: Watch,
-) -> Result<ArmTold, MillError> {
+) -> Result<ArmGeometry, MillError> {
     if let Some(found) = on_true_arm(robot, stand, path, &options, watch)? {
-        return Ok(ArmTold::Calibrated(Box::new(found)));
+        return Ok(ArmGeometry::Calibrated(Box::new(found)));
     }
-    arm_error(robot, stand, path, (options.work_frame, options.part), watch).map(ArmTold::Drawn)
+    arm_error(robot, stand, path, (options.work_frame, options.part), watch).map(ArmGeometry::Drawn)
 }
 
 impl MillAnswer {
     /// The path on the arm that was calibrated, where it was.
     pub fn on_true_arm(&self) -> Option<&OnTrueArm> {
         match &self.arm {
-            Some(ArmTold::Calibrated(found)) => Some(found),
-            Some(ArmTold::Drawn(_)) | None => None,
+            Some(ArmGeometry::Calibrated(found)) => Some(found),
+            Some(ArmGeometry::Drawn(_)) | None => None,
         }
     }
 
@@ -105,8 +105,8 @@ impl MillAnswer {
 
     fn drawn_error(&self) -> Option<DrawnError> {
         match self.arm {
-            Some(ArmTold::Drawn(found)) => Some(found),
-            Some(ArmTold::Calibrated(_)) | None => None,
+            Some(ArmGeometry::Drawn(found)) => Some(found),
+            Some(ArmGeometry::Calibrated(_)) | None => None,
         }
     }
 
@@ -141,14 +141,14 @@ impl MillAnswer {
 
     /// What a verdict is without: the geometry of an arm that was not calibrated, with its size here.
     pub(super) fn arm_note(&self) -> String {
-        let told = |found: DrawnError| {
+        let drawn = |found: DrawnError| {
             let [median, p95] = [found.median, found.p95].map(|metres| fixed(metres * 1e3, 2));
             format!(
                 "Along this path the geometry of a {} that was not calibrated errs by {median} mm (median), {p95} mm (95 %) on top; `stiffarm calibrate` finds it.\n",
                 self.robot.name
             )
         };
-        self.drawn_error().map_or_else(String::new, told)
+        self.drawn_error().map_or_else(String::new, drawn)
     }
 
     /// The geometry errs by more than a tolerance that the deflection keeps, mm: that verdict is of the deflection alone.

@@ -89,7 +89,7 @@ impl MillAnswer {
             if matches!(forcing, Forcing::Same(_)) { force } else { format!("{force}: {}", newtons(&stations)) };
         mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
         let ground = asked.path_ground()?;
-        let (placement, sought, milled) = if let Some(placement) = asked.at() {
+        let (placement, search, milled) = if let Some(placement) = asked.at() {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
             (Some(placement), None, Some(milled))
@@ -117,12 +117,12 @@ impl MillAnswer {
                 let what = (&stations[..], &found.samples[..], options.part);
                 compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
-            let told = |chatter: AskedChatter| {
-                chatter.told(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)
+            let along = |chatter: AskedChatter| {
+                chatter.looked_at(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)
             };
-            swings = chatter.map(told).transpose()?;
+            swings = chatter.map(along).transpose()?;
             let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated() };
-            arm = Some(arm::told(&robot, &stand, (&stations, &found.samples), options, watch).map_err(failed)?);
+            arm = Some(arm::looked_at(&robot, &stand, (&stations, &found.samples), options, watch).map_err(failed)?);
         }
         Ok(Self {
             robot,
@@ -135,7 +135,7 @@ impl MillAnswer {
             placement,
             only_tool: asked.only_tool(),
             ground,
-            sought,
+            search,
             milled,
             draws,
             fed_back,

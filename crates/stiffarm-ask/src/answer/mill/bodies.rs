@@ -64,11 +64,11 @@ impl MeshFile {
         if widest(extent) <= TOO_SMALL * widest(part) {
             return Ok(());
         }
-        let told = |extent| sides(extent).map(|side| fixed(side * 1e3, 3)).join(" x ");
+        let in_mm = |extent| sides(extent).map(|side| fixed(side * 1e3, 3)).join(" x ");
         let why = format!(
             "measures {} mm, and the feed moves reach over {} mm; expected a part of their size: is its unit another one (part-unit)?",
-            told(part),
-            told(extent)
+            in_mm(part),
+            in_mm(extent)
         );
         Err(asked.refused(opt::PART, why))
     }

@@ -182,7 +182,7 @@ impl ByToolAnswer {
                 || ["not followed".into(), "-".into()],
                 |found| [fixed(found.worst.0 * 1e3, 4), line(milled, found.worst.1).to_string()],
             ));
-            cells.extend(self.tolerance_mm.map(|_| milled.verdict().map_or_else(|| "-".into(), Verdict::told)));
+            cells.extend(self.tolerance_mm.map(|_| milled.verdict().map_or_else(|| "-".into(), Verdict::in_words)));
             table.row(cells);
         }
         Table { lead: Some(self.lead()), ..table }
@@ -205,7 +205,8 @@ impl ByToolAnswer {
         let mut notes = self.reason().map_or_else(String::new, |reason| format!("not followed: {reason}\n"));
         let verdict = self.tolerance_mm.zip(self.verdict());
         notes.extend(
-            verdict.map(|(tolerance, verdict)| format!("tolerance {tolerance} mm, all tools: {}\n", verdict.told())),
+            verdict
+                .map(|(tolerance, verdict)| format!("tolerance {tolerance} mm, all tools: {}\n", verdict.in_words())),
         );
         notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
         notes.extend(self.sections.first().map(|first| first.milled.notes()));

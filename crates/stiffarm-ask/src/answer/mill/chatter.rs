@@ -32,7 +32,7 @@ pub(super) struct AskedChatter {
 
 /// Whether the cuts of a path swing.
 #[derive(Clone, Debug)]
-pub struct ChatterTold {
+pub struct PathChatterAnswer {
     /// At every station.
     pub samples: Vec<Judged>,
     /// Where the critical depth is least in proportion to that of the cut, with all that is told of it; `None` where no sample is covered.
@@ -62,27 +62,27 @@ impl AskedChatter {
     }
 
     /// Along a path that is followed.
-    pub(super) fn told(
+    pub(super) fn looked_at(
         self,
         robot: &Robot,
         stand: &Stand,
         path: (&[Station], &[Pushed]),
         options: &MillOptions,
         watch: Watch,
-    ) -> Result<ChatterTold, MillError> {
+    ) -> Result<PathChatterAnswer, MillError> {
         let Self { held, file, process, measured } = self;
         let PathChatter { samples, worst, deepest } =
             chatter_along(robot, stand, path, (&process.process, &held, options), watch)?;
-        let told = |(i, chatter): (usize, Chatter)| {
+        let of_worst = |(i, chatter): (usize, Chatter)| {
             let joints_deg = path.1[i].joints.map(f64::to_degrees);
             let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
             (i, Box::new(ChatterAnswer { robot: robot.clone(), joints_deg, tool, file, process, measured, chatter }))
         };
-        Ok(ChatterTold { samples, worst: worst.map(told), deepest })
+        Ok(PathChatterAnswer { samples, worst: worst.map(of_worst), deepest })
     }
 }
 
-impl ChatterTold {
+impl PathChatterAnswer {
     /// What every sample has of it.
     pub(super) fn columns() -> [Column; 3] {
         let [depth, hertz] = [field::CRITICAL_DEPTH, field::CHATTER_FREQUENCY].map(|field| field.key);

@@ -43,17 +43,20 @@ impl MillAnswer {
     /// Why no program is written, where that is because the arm touches something.
     pub(super) fn forbidding_contact(&self) -> Option<String> {
         let deepest = self.deepest().filter(|_| !self.allows_contact)?;
-        if let Some(unavoidable) = self.unavoidable_told() {
+        if let Some(unavoidable) = self.unavoidable_sentence() {
             return Some(format!("{unavoidable}; another place may keep clear, allow-contact takes it as it is"));
         }
-        Some(format!("{}; another place or roll may keep clear, allow-contact takes it as it is", self.told(deepest)))
+        Some(format!(
+            "{}; another place or roll may keep clear, allow-contact takes it as it is",
+            self.sentence(deepest)
+        ))
     }
 
     /// What a program says of contacts that are allowed, or that may be where bodies are estimated.
     pub(super) fn contact_remark(&self) -> Option<String> {
         let found = self.clearance()?;
         if let Some(deepest) = self.deepest() {
-            return self.allows_contact.then(|| format!("WARNING: written although {}.", self.told(deepest)));
+            return self.allows_contact.then(|| format!("WARNING: written although {}.", self.sentence(deepest)));
         }
         let wide = found.nearest?.wide.filter(|wide| wide.distance < found.asked && is_of_arm(wide.link))?;
         let bodies = bodies(wide.link, wide.to);
@@ -67,7 +70,7 @@ impl MillAnswer {
     }
 
     /// One contact in words.
-    fn told(&self, contact: &Contact) -> String {
+    fn sentence(&self, contact: &Contact) -> String {
         let sample = &self.stations[contact.station].sample;
         let at = if sample.line == 0 { String::new() } else { format!("line {}, ", sample.line) };
         let asked = self.clearance().map_or(0.0, |found| found.asked);
@@ -83,9 +86,9 @@ impl MillAnswer {
     }
 
     /// What is touched whatever the roll, in words, where such a thing is known.
-    fn unavoidable_told(&self) -> Option<String> {
+    fn unavoidable_sentence(&self) -> Option<String> {
         let unavoidable = self.clearance()?.unavoidable.as_ref()?;
-        Some(format!("at every roll {}, at best", self.told(unavoidable)))
+        Some(format!("at every roll {}, at best", self.sentence(unavoidable)))
     }
 
     /// How near the arm comes, and what it touches; nothing of an answer that there is not.
@@ -144,9 +147,9 @@ impl MillAnswer {
                 format!("{apart} mm at {} samples and between them, {}", nearest.poses, clearance_between(nearest)),
             )
         });
-        let unavoidable = self.unavoidable_told().map(|told| line(self.called(found.unavoidable.as_ref()), told));
+        let unavoidable = self.unavoidable_sentence().map(|told| line(self.called(found.unavoidable.as_ref()), told));
         let others = || found.contacts.iter().filter(|contact| Some(*contact) != found.unavoidable.as_ref());
-        let contacts = others().take(TOLD).map(|contact| line(self.called(Some(contact)), self.told(contact)));
+        let contacts = others().take(TOLD).map(|contact| line(self.called(Some(contact)), self.sentence(contact)));
         let more = others().count().saturating_sub(TOLD);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
         nearest.into_iter().chain(unavoidable).chain(contacts).chain(more).collect()
@@ -193,11 +196,11 @@ impl MillAnswer {
 
     /// What a manager would read of it.
     pub(in crate::answer) fn contact_sentence(&self) -> Option<String> {
-        Some(format!("{} of {}: {}.", self.called(self.deepest()), self.robot.full_name(), self.deepest_told()?))
+        Some(format!("{} of {}: {}.", self.called(self.deepest()), self.robot.full_name(), self.deepest_sentence()?))
     }
 
     /// The deepest contact in words, where there is one.
-    pub(crate) fn deepest_told(&self) -> Option<String> {
-        self.deepest().map(|deepest| self.told(deepest))
+    pub(crate) fn deepest_sentence(&self) -> Option<String> {
+        self.deepest().map(|deepest| self.sentence(deepest))
     }
 }

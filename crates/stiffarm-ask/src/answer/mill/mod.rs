@@ -12,11 +12,11 @@ mod record;
 mod table;
 mod worst;
 
-pub use arm::ArmTold;
+pub use arm::ArmGeometry;
 pub use asked::Beside;
 pub use bodies::{Bodies, MeshFile};
 pub use by_tool::{ByToolAnswer, Section};
-pub use chatter::ChatterTold;
+pub use chatter::PathChatterAnswer;
 use nalgebra::Vector3;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
@@ -62,7 +62,7 @@ pub struct MillAnswer {
     /// Where it may stand, with the cell.
     pub ground: PathGround,
     /// How finely that was looked for, and what no other place beats, m; `None` where it was given.
-    pub sought: Option<(PathResolution, f64)>,
+    pub search: Option<(PathResolution, f64)>,
     /// What was found; `None` where there is no place at all.
     pub milled: Option<Milled>,
     /// The largest error of every draw of the drives, m; `None` where nothing says how they may be, or nothing is followed.
@@ -74,9 +74,9 @@ pub struct MillAnswer {
     /// How the place of the work was found.
     pub work_frame: WorkFrame,
     /// What the geometry of the arm does; `None` where nothing is followed.
-    pub arm: Option<ArmTold>,
+    pub arm: Option<ArmGeometry>,
     /// Whether its cuts swing, where that was asked and the path is followed.
-    pub chatter: Option<ChatterTold>,
+    pub chatter: Option<PathChatterAnswer>,
     /// The largest error that passes, mm.
     pub tolerance_mm: Option<f64>,
     /// Programs are written although the arm touches something.
@@ -164,7 +164,7 @@ impl MillAnswer {
         })
     }
 
-    /// Where the largest error lies with 90 %, as the drives may be, m.
+    /// Where the largest error lies with 90 %, over draws of the drive stiffness, m.
     pub fn spread(&self) -> Option<Spread> {
         self.draws.clone().map(Spread::of)
     }
@@ -224,7 +224,7 @@ impl MillAnswer {
     pub fn reason(&self) -> Option<String> {
         match (self.followed(), self.blocked()) {
             (Some(_), _) => None,
-            (None, Some(blocked)) if self.sought.is_some() || self.placement.is_none() => {
+            (None, Some(blocked)) if self.search.is_some() || self.placement.is_none() => {
                 Some(format!("no place was found at which the path is followed; at the best one tried: {blocked}"))
             }
             (None, Some(blocked)) => Some(blocked.to_string()),
@@ -232,10 +232,10 @@ impl MillAnswer {
         }
     }
 
-    /// What no path of rolls beats, and where the place was sought, no place; m.
+    /// What no path of rolls beats, and where the place was searched for, no place; m.
     pub fn lower_bound(&self) -> Option<f64> {
         let found = self.followed()?;
-        Some(self.sought.map_or(found.lower_bound, |(_, of_all)| of_all.min(found.lower_bound)))
+        Some(self.search.map_or(found.lower_bound, |(_, of_all)| of_all.min(found.lower_bound)))
     }
 
     /// The bound is of all rolls, rather than of those that were asked for.

@@ -37,7 +37,7 @@ pub struct PathRow {
     pub standing: Standing,
     /// How it does, or why that cannot be said of it.
     pub milled: Result<MillAnswer, PostureError>,
-    /// How often it is the best, as the drives may be; `None` where that is not known.
+    /// Probability that it is the best, over draws of the drive stiffness; `None` where that is not known.
     pub chances: Option<Chances>,
 }
 
@@ -104,7 +104,7 @@ impl PathRankAnswer {
         self.rows.iter().filter_map(|row| row.milled.as_ref().ok())
     }
 
-    /// The first robot with a rank that follows the path, and those that cannot be told apart from it by the proof.
+    /// The first robot with a rank that follows the path, and those that cannot be distinguished from it by the proof.
     pub(in crate::answer) fn best(&self) -> Option<(&PathRow, Vec<&PathRow>)> {
         let mut ranked = self.rows.iter().filter(|row| row.standing.rank.is_some() && row.proved().is_some());
         let best = ranked.next()?;
@@ -154,7 +154,7 @@ impl PathRankAnswer {
                 format!("{}{}", row.robot.full_name(), if is_estimated { " ~" } else { "" }),
                 words::status(&row.robot).into(),
             ];
-            cells.extend(row.told(best == Some(&row.robot)));
+            cells.extend(row.cells(best == Some(&row.robot)));
             table.row(cells);
         }
         table
@@ -167,7 +167,7 @@ impl PathRankAnswer {
             notes.extend(reason(&row.milled).map(|why| format!("- {}: {why}\n", row.robot.name)));
         }
         notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
-        notes += "* smallest error of the robots whose geometry is published; #: one more than the robots that are certainly better, by their errors and the proved bounds; = cannot be told apart by the proof\n";
+        notes += "* smallest error of the robots whose geometry is published; #: one more than the robots that are certainly better, by their errors and the proved bounds; = cannot be distinguished by the proof\n";
         notes.extend(self.milled().next().map(MillAnswer::notes));
         notes
     }
@@ -187,7 +187,7 @@ impl PathRankAnswer {
         )];
         if !rivals.is_empty() {
             let names = named(rivals.iter().map(|row| row.robot.name.clone()).collect());
-            told.push(format!("By the proof it cannot be told apart from {names}."));
+            told.push(format!("By the proof it cannot be distinguished from {names}."));
         }
         told.extend(self.tolerance_mm.map(|tolerance| {
             let name = |row: &PathRow| {
@@ -197,9 +197,9 @@ impl PathRankAnswer {
             };
             let holds: Vec<String> = self.rows.iter().filter(|row| row.holds(tolerance)).map(name).collect();
             if holds.is_empty() {
-                format!("No robot holds {tolerance} mm, the drives taken as they are told.")
+                format!("No robot holds {tolerance} mm, at the nominal stiffness.")
             } else {
-                format!("{tolerance} mm is held by {}, the drives taken as they are told.", named(holds))
+                format!("{tolerance} mm is held by {}, at the nominal stiffness.", named(holds))
             }
         }));
         let known = self.rows.iter().filter_map(|row| Some((row.robot.name.as_str(), row.chances?))).collect();
@@ -328,8 +328,8 @@ impl PathRow {
         record
     }
 
-    /// What the table tells besides rank and name.
-    fn told(&self, is_best: bool) -> Vec<String> {
+    /// Its cells in the table besides rank and name.
+    fn cells(&self, is_best: bool) -> Vec<String> {
         let nothing = || vec!["-".to_owned(); 6];
         let Ok(milled) = &self.milled else { return nothing() };
         let (Some(found), Some(placement), Some([bound, value])) =

@@ -8,7 +8,7 @@ use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
 use super::super::words::bodies;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
-use super::{ChatterTold, Compensation, MillAnswer, least};
+use super::{Compensation, MillAnswer, PathChatterAnswer, least};
 use stiffarm::clearance::Near;
 use stiffarm::limits::Pendant;
 use stiffarm::mill::{Acting, FedBack, Pushed, Stand, Station};
@@ -79,7 +79,7 @@ impl MillAnswer {
 
     /// What the path was to keep from the joint-1 axis, m; `None` where its place was given, or it is not known where that axis stands.
     fn column(&self) -> Option<f64> {
-        self.sought.filter(|_| self.robot.knows_base()).map(|_| self.ground.margins.radius(&self.robot))
+        self.search.filter(|_| self.robot.knows_base()).map(|_| self.ground.margins.radius(&self.robot))
     }
 
     /// How long the path is, and how long it takes.
@@ -131,7 +131,7 @@ impl MillAnswer {
 
     /// How finely the place was looked for; absent where it was given.
     pub(super) fn search(&self) -> Option<Record> {
-        self.sought.map(|(resolution, _)| {
+        self.search.map(|(resolution, _)| {
             let mut record = Record::new();
             record
                 .put(field::FINE_STEP, resolution.step)
@@ -185,7 +185,7 @@ impl MillAnswer {
             ]));
             columns.extend(numbers(&["x_cmd_mm", "y_cmd_mm", "z_cmd_mm"]));
         }
-        columns.extend(self.chatter.iter().flat_map(|_| ChatterTold::columns()));
+        columns.extend(self.chatter.iter().flat_map(|_| PathChatterAnswer::columns()));
         let samples = self.followed().map_or(&[][..], |found| &found.samples);
         Rows::made(columns, samples.len(), move |i| {
             let mut cells = self.cells(&self.stations[i], &samples[i]);

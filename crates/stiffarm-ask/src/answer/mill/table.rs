@@ -25,14 +25,14 @@ impl MillAnswer {
             line("tool", tool(&self.flange_from_tool)),
             line("path", self.length()),
         ];
-        let told = |extent| {
+        let in_mm = |extent| {
             let [x, y, z] = within(extent);
             format!("x {x}, y {y}, z {z}")
         };
-        lines.extend(self.survey.extent.map(|extent| line("feed moves within", told(extent))));
+        lines.extend(self.survey.extent.map(|extent| line("feed moves within", in_mm(extent))));
         lines.extend(self.survey.rapid_extent.map(|extent| {
             let length = fixed(self.survey.rapid_length * 1e3, 3);
-            line("rapid moves", format!("{length} mm, ending within {}", told(extent)))
+            line("rapid moves", format!("{length} mm, ending within {}", in_mm(extent)))
         }));
         lines.extend([line("force on the tool", &self.force), line("what counts", counted(self.options.part))]);
         lines.extend(self.carried().lines());
@@ -86,19 +86,19 @@ impl MillAnswer {
         if let Some(cell) = cell {
             // Where the place is given, windows are none.
             let told = told_cell::lines(&cell, &within.unwrap_or(Within::ANYWHERE));
-            lines.extend(told.into_iter().take(if self.sought.is_some() { usize::MAX } else { 1 }));
+            lines.extend(told.into_iter().take(if self.search.is_some() { usize::MAX } else { 1 }));
         }
-        let column = margins::column(&margins, &self.robot).filter(|_| self.sought.is_some());
+        let column = margins::column(&margins, &self.robot).filter(|_| self.search.is_some());
         lines.extend(column.map(|kept| line("the path keeps", kept)));
         let Some(placement) = self.placement else { return lines };
-        let name = if self.sought.is_some() { "best place of its origin" } else { "its origin stands at" };
-        let told = |[x, y, z]: [f64; 3], from: &str, yaw: Option<f64>| {
+        let name = if self.search.is_some() { "best place of its origin" } else { "its origin stands at" };
+        let place = |[x, y, z]: [f64; 3], from: &str, yaw: Option<f64>| {
             let turned = yaw.map_or_else(String::new, |yaw| format!(", turned by {}", degrees(yaw)));
             format!("x {} m, y {} m, z {} m {from}{turned}", fixed(x, 4), fixed(y, 4), fixed(z, 4))
         };
-        lines.push(line(name, told(placement.at_from_base(), "from the base", placement.yaw_from_ahead())));
+        lines.push(line(name, place(placement.at_from_base(), "from the base", placement.yaw_from_ahead())));
         if cell.is_some() {
-            lines.push(line(format!("{name}, cell"), told(placement.at, "in the cell", Some(placement.yaw))));
+            lines.push(line(format!("{name}, cell"), place(placement.at, "in the cell", Some(placement.yaw))));
         }
         lines
     }
@@ -123,11 +123,11 @@ impl MillAnswer {
             };
             line("as the cut changes by it", told)
         }));
-        lines.extend(uncertainty::told(&self.robot, self.spread()));
+        lines.extend(uncertainty::row(&self.robot, self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
         lines.push(line(format!("lower bound {}", self.which_rolls()), proved(found.lower_bound)));
-        if let Some((resolution, lower)) = self.sought {
+        if let Some((resolution, lower)) = self.search {
             let PathResolution { coarse, step, samples, nodes } = resolution;
             let told = if 0.0 < lower {
                 format!("{}, by {nodes} boxes of places", proved(lower))
@@ -137,9 +137,9 @@ impl MillAnswer {
             lines.push(line("proved lower bound", told));
             lines.extend(self.ground.cell.as_ref().and_then(proof_of));
             let step = fixed(step * 1e3, 1);
-            let sought =
+            let search =
                 format!("{}, the best refined to {step} mm; by {samples} samples, then by all", counted_places(coarse));
-            lines.push(line("search", sought));
+            lines.push(line("search", search));
         }
         let json = self.roll().json();
         let angle = |key: &str| json[key].as_f64().map_or_else(String::new, |angle| format!("{} deg", fixed(angle, 1)));
@@ -178,7 +178,7 @@ impl MillAnswer {
             let margin = fixed(verdict.margin_mm, 4);
             let is_alone = verdict.passes && verdict.is_of_drives_alone;
             let alone = if is_alone { "; of the deflection alone: the geometry errs by more (besides)" } else { "" };
-            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.told())));
+            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.in_words())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
                     self.stations.iter().zip(&found.samples).filter(|(_, pushed)| tolerance < pushed.error * 1e3);
@@ -216,12 +216,12 @@ impl MillAnswer {
                 lines.extend(verdict.map(|(tolerance, verdict)| {
                     let is_alone = verdict.passes && verdict.is_of_drives_alone;
                     let alone = if is_alone { "; of the deflection alone" } else { "" };
-                    line("tolerance, compensated", format!("{tolerance} mm: {}{alone}", verdict.told()))
+                    line("tolerance, compensated", format!("{tolerance} mm: {}{alone}", verdict.in_words()))
                 }));
             }
             None => lines.push(line(
                 EXPECTED_RESIDUAL,
-                "not known: nothing says how far the drives may be off; --stiffness-uncertainty does",
+                "not known: the drive stiffness has no stated uncertainty; --stiffness-uncertainty states one",
             )),
         }
         if let Some(first) = done.beyond.first() {

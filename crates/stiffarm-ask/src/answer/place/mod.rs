@@ -34,7 +34,7 @@ pub struct PlaceAnswer {
     pub placed: Placed,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
-    /// What that says of force, stiffness and size, where it was sought.
+    /// What that says of force, stiffness and size, where it was searched for.
     pub advice: Option<Advice>,
 }
 
@@ -50,7 +50,7 @@ impl PlaceAnswer {
         Rows::new(record.columns(), vec![record.cells()])
     }
 
-    /// Where the deflection at the best place lies, and how likely it keeps the tolerance; `None` where nothing says how far the drives may be off.
+    /// Where the deflection at the best place lies, and how likely it keeps the tolerance; `None` where the drive stiffness has no stated uncertainty.
     pub(super) fn known(&self) -> Option<Known> {
         Known::at(&self.robot, self.options.load, self.best(), self.tolerance_mm)
     }
@@ -124,14 +124,16 @@ impl PlaceAnswer {
 
     /// A map of what is reached, held as the zone is.
     pub fn map_options(&self, model: &Model, spacing: Spacing) -> MapOptions {
-        let stance = self.options.stance();
+        let tool_orientation = self.options.tool_orientation();
         let held = match (model, self.placed.feasible().and_then(Placement::space)) {
             (Model::Planar(_), _) => None,
-            (Model::Spatial(_), None) => Some(HeldPosture { elevation: stance.elevation, ..HeldPosture::TOOL_DOWN }),
+            (Model::Spatial(_), None) => {
+                Some(HeldPosture { elevation: tool_orientation.elevation, ..HeldPosture::TOOL_DOWN })
+            }
             (Model::Spatial(spatial), Some(hold)) => {
-                let any_roll = stance.roll.is_none() && spatial.arm().tool_turns_about_axis_6();
+                let any_roll = tool_orientation.roll.is_none() && spatial.arm().tool_turns_about_axis_6();
                 Some(HeldPosture {
-                    elevation: stance.elevation,
+                    elevation: tool_orientation.elevation,
                     yaw: hold.yaw,
                     roll: (!any_roll).then_some(hold.roll),
                     configuration: Some(hold.configuration),

@@ -116,7 +116,7 @@ impl PlaceAnswer {
             line(worst_label(best), format!("{:.4} mm", best.deflection * 1e3)),
             line(self.bound_label(), proof(best, &self.options)),
         ];
-        lines.extend(uncertainty::told(&self.robot, self.known().map(|known| known.spread)));
+        lines.extend(uncertainty::row(&self.robot, self.known().map(|known| known.spread)));
         lines.push(line(self.centre_label(best), format!("x {x:.4} m, z {z:.4} m")));
         match self.options.cell {
             None => lines.extend(outside(best).map(|note| line("note", note))),
@@ -136,7 +136,7 @@ impl PlaceAnswer {
                 lines.push(line("turned about the vertical", degrees(best.angle)));
                 lines.extend(best.faces.iter().map(face_line));
             }
-            Some(hold) => lines.extend(self.stance_lines(best, hold)),
+            Some(hold) => lines.extend(self.orientation_lines(best, hold)),
         }
         lines.extend(self.stand_of_path().map(|stand| self.path_line(stand)));
         let [wx, wy, wz] = best.worst_point.map(|part| fixed(part, 4));
@@ -146,7 +146,7 @@ impl PlaceAnswer {
         lines.extend(self.clearance().map(|clearance| words::clearance(&clearance)));
         lines.extend(best.space().into_iter().flat_map(hold_lines));
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
-            let says = format!("{}, margin {} mm", verdict.told(), fixed(verdict.margin_mm, 4));
+            let says = format!("{}, margin {} mm", verdict.in_words(), fixed(verdict.margin_mm, 4));
             lines.push(line(format!("tolerance {tolerance} mm"), says));
         }
         lines
@@ -173,14 +173,14 @@ impl PlaceAnswer {
         if self.is_at_one_place() { "proved lower bound there" } else { "proved lower bound" }
     }
 
-    fn stance_lines(&self, best: &Placement, hold: &SpaceHold) -> Vec<Line> {
+    fn orientation_lines(&self, best: &Placement, hold: &SpaceHold) -> Vec<Line> {
         let mut lines = Vec::new();
         if hold.bearing != 0.0 {
             let turned =
                 format!("{} about the joint-1 axis, where limits and cell allow the zone", degrees(hold.bearing));
             lines.push(line("turned", turned));
         }
-        if !self.options.stance().is_vertical() {
+        if !self.options.tool_orientation().is_vertical() {
             lines.push(line("yaw of the zone's plane", degrees(hold.yaw)));
         }
         lines.push(line("angle of the first side", degrees(best.angle)));

@@ -30,7 +30,7 @@ impl RankAnswer {
             Some(_) => "; - no place was found (`stiffarm place --model spatial` says why)\n",
         };
         if rows.iter().any(|row| row.rank.is_some_and(|rank| rank.is_tied)) {
-            notes += "#: one more than the robots that are certainly better, which their values and the proved bounds decide; = cannot be told apart from some other by the proof\n";
+            notes += "#: one more than the robots that are certainly better, which their values and the proved bounds decide; = cannot be distinguished from some other by the proof\n";
         }
         notes += margins::SHORT;
         if in_plane.is_some() {
@@ -59,7 +59,7 @@ impl RankAnswer {
         if self.tolerance_mm.is_some() {
             let _ = writeln!(
                 notes,
-                "{HOLDS}\npass: held with P of 95 % or more; pass, not sure: held at the stiffness told, with less or with P not known; P: probability, as the drives may be"
+                "{HOLDS}\npass: held with P of 95 % or more; pass, not sure: held at the nominal stiffness, with less or with P not known; P: probability over draws of the drive stiffness"
             );
         }
         notes += words::assumed_architecture(rows.iter().map(|row| &row.robot));

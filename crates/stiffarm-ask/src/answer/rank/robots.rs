@@ -23,11 +23,12 @@ impl RankAnswer {
         let mut table = Table::new(headings);
         for (task, asked) in self.ranking.tasks.iter().enumerate() {
             let best = row.placement(task);
-            let mut cells = vec![asked.label.clone(), self.told(at, task, &rivals[task])];
+            let mut cells = vec![asked.label.clone(), self.cell(at, task, &rivals[task])];
             cells.push(or_dash(best, |best| Some(fixed(best.lower_bound * 1e3, 3))));
             if is_scattered {
-                let told = |spread: Spread| format!("{} .. {}", fixed(spread.p05 * 1e3, 3), fixed(spread.p95 * 1e3, 3));
-                cells.push(spreads[task].map_or_else(|| "-".into(), told));
+                let interval =
+                    |spread: Spread| format!("{} .. {}", fixed(spread.p05 * 1e3, 3), fixed(spread.p95 * 1e3, 3));
+                cells.push(spreads[task].map_or_else(|| "-".into(), interval));
             }
             cells.extend([0, 1].map(|axis| or_dash(best, |best| Some(fixed(best.centre[axis], 3)))));
             cells.push(or_dash(best, |best| {

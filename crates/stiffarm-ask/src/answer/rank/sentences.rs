@@ -88,8 +88,8 @@ impl RankAnswer {
         }
         let list = |winners: &[(&Row, Vec<usize>)]| {
             let of = |(row, tasks): &(&Row, Vec<usize>)| {
-                let told = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task));
-                let tasks = tasks.iter().map(told).collect::<Vec<_>>().join(", ");
+                let value = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task));
+                let tasks = tasks.iter().map(value).collect::<Vec<_>>().join(", ");
                 format!("{} for {tasks}", with_payload(&row.robot))
             };
             winners.iter().map(of).collect::<Vec<_>>().join("; ")
@@ -135,8 +135,8 @@ impl RankAnswer {
         let ties = |task: usize| uncertainty::ties(&self.chances, task);
         let is_alone = |task: usize| ranking.rivals(task).is_empty() && ties(task) < 2;
         let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
-        let told = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties(task)));
-        let open: Vec<String> = (0..ranking.tasks.len()).filter_map(told).collect();
+        let undecided = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties(task)));
+        let open: Vec<String> = (0..ranking.tasks.len()).filter_map(undecided).collect();
         match (decided.as_slice(), open.is_empty()) {
             (decided, true) => format!("{under} take {}.", list(decided)),
             ([], false) => format!("{under} no robot is advised: {}.", open.join("; ")),
@@ -173,17 +173,17 @@ impl RankAnswer {
     fn not_told_apart(&self, task: usize) -> Option<String> {
         let (best, rivals) = (self.ranking.best_published(task)?, self.ranking.rivals(task));
         let (first, others) = rivals.split_first()?;
-        let told = |row: &Row| {
+        let named = |row: &Row| {
             let bound = row.placement(task).map_or_else(|| "-".into(), |best| fixed(best.lower_bound * 1e3, 3));
             let value = row.deflection(task).map_or_else(|| "-".into(), |value| fixed(value * 1e3, 3));
             format!("{} ({bound} to {value} mm)", row.robot.full_name())
         };
-        let mut names = vec![told(first)];
-        names.extend(others.iter().take(MOST_NAMED - 1).map(|row| told(row)));
+        let mut names = vec![named(first)];
+        names.extend(others.iter().take(MOST_NAMED - 1).map(|row| named(row)));
         let more = others.len().saturating_sub(MOST_NAMED - 1);
         let more = if more == 0 { String::new() } else { format!(" and {more} more") };
         let label = &self.ranking.tasks[task].label;
-        Some(format!("{} and {}{more} cannot be told apart on {label}", told(best), names.join(", ")))
+        Some(format!("{} and {}{more} cannot be distinguished on {label}", named(best), names.join(", ")))
     }
 
     /// The best of a task that is none by what is known of the drives: so many tie.
@@ -224,7 +224,7 @@ impl RankAnswer {
             let label = &ranking.tasks[task].label;
             // The bound of the worse lies below the value of the better.
             if worse.placement(task)?.lower_bound <= better.deflection(task)? {
-                return Some(format!("{label} {} and {}, not told apart", show(serial), show(quasi)));
+                return Some(format!("{label} {} and {}, not distinguished", show(serial), show(quasi)));
             }
             let sign = if is_less { "<" } else { ">" };
             Some(format!("{label} {} {sign} {}", show(serial), show(quasi)))
@@ -280,24 +280,21 @@ impl RankAnswer {
         if passing.is_empty() {
             return format!("No robot keeps {tolerance} mm on every task{}.{odd}", self.clearly());
         }
-        let told = |row: &&Row| {
+        let named = |row: &&Row| {
             let least = (0..row.cells.len()).map(|task| self.verdict_of(row, task)?.probability);
             let least = least.reduce(|a, b| Some(a?.min(b?))).flatten();
             let sure = least.map(|probability| format!("P {}", percent(probability)));
             let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
             format!("{}{sure}", words::marked(&row.robot))
         };
-        let named: Vec<String> = passing.iter().take(MOST_ADVISED).map(told).collect();
+        let named: Vec<String> = passing.iter().take(MOST_ADVISED).map(named).collect();
         let more = match passing.len().saturating_sub(named.len()) {
             0 => String::new(),
             more => format!(" and {more} more"),
         };
         let sure =
             if self.known_of_any() { "" } else { "; how likely is not known, as nothing is known of the drives" };
-        format!(
-            "{tolerance} mm on every task, the drives taken as they are told: {}{more}{sure}.{odd}",
-            named.join(", ")
-        )
+        format!("{tolerance} mm on every task, at the nominal stiffness: {}{more}{sure}.{odd}", named.join(", "))
     }
 }
 

@@ -29,11 +29,11 @@ pub(crate) fn of(found: &PlaceOutput, asked: &Request) -> Result<Report, AskErro
     sections.extend(found.inputs().process()?);
     sections.extend(site(found).map(Section::on_new_page));
     sections.extend([provenance_of(&answer.robot), repeated(asked, found.inputs())?]);
-    let sought = if answer.is_at_one_place() { "A given place" } else { "Best place" };
+    let which = if answer.is_at_one_place() { "A given place" } else { "Best place" };
     let how = if answer.model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {
         title: format!("{} for {}", answer.robot.full_name(), answer.task.label),
-        asked: format!("{sought} of {} ({}), {how}", answer.task.label, answer.task.work.describe()),
+        asked: format!("{which} of {} ({}), {how}", answer.task.label, answer.task.work.describe()),
         headline: answer.headline(),
         sections,
     })

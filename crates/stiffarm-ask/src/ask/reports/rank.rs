@@ -148,7 +148,7 @@ fn placed(found: &RankOutput, (at, task): (usize, usize), asked: &Request) -> Re
         tolerance_mm: *tolerance_mm,
         advice: found.answer.advice.get(at).and_then(|of_row| of_row.get(task)?.clone()),
     };
-    PlaceOutput::told(answer, (asked, found.inputs()), (found.figure_size, MAP_POINTS))
+    PlaceOutput::of_answer(answer, (asked, found.inputs()), (found.figure_size, MAP_POINTS))
 }
 
 /// Which architecture suits which size, where the planar model of the paper says that.

@@ -30,7 +30,7 @@ impl ArmMark {
         let joint = |i: usize| {
             let share =
                 shares.map_or_else(String::new, |shares| format!(", {:.1} % of the deflection", shares[i] * 1e2));
-            format!("joint {} at {:.2} deg{share}", i + 1, Unit::Degree.told(q[i]))
+            format!("joint {} at {:.2} deg{share}", i + 1, Unit::Degree.of_si(q[i]))
         };
         let wrist = format!("wrist centre\n{}\n{}\n{}", joint(3), joint(4), joint(5));
         let texts = [
@@ -52,7 +52,7 @@ impl ArmMark {
     /// The two links of an arm plane, which stands beside the joint-1 axis where the arm does, at shoulder and elbow angle, rad.
     pub fn planar(model: &PlanarModel, [shoulder, elbow]: [f64; 2]) -> Self {
         let [axis, upper_arm, wrist] = model.points([shoulder, elbow]).map(|[x, z]| [x, model.aside(), z]);
-        let text = |name: &str, angle: f64| format!("{name}\n{:.2} deg in the arm plane", Unit::Degree.told(angle));
+        let text = |name: &str, angle: f64| format!("{name}\n{:.2} deg in the arm plane", Unit::Degree.of_si(angle));
         let base = (model.axis_from_base() != [0.0; 2]).then(|| ([0.0; 3], "base".to_owned()));
         let links = [
             (axis, text("shoulder", shoulder)),

@@ -39,7 +39,7 @@ pub struct View {
     /// Where the work stands.
     pub zone: Option<Zone>,
     /// A map of the deflection, such as that of the arm plane.
-    pub section: Option<Sheet>,
+    pub section: Option<Surface>,
     /// Where it touches something, or is nearer to it than was asked: what that is called, and the lines.
     pub touching: (String, Vec<Vec<Point>>),
     /// What pushes, and where to.
@@ -73,7 +73,7 @@ pub struct Cell {
 
 /// A coloured surface: rows of points, all of the same length, neighbours beside each other.
 #[derive(Clone, Debug, Default)]
-pub struct Sheet {
+pub struct Surface {
     /// Row by row.
     pub rows: Vec<Vec<Cell>>,
 }
@@ -86,7 +86,7 @@ pub struct Zone {
     /// Its rim as a closed line.
     pub rim: Vec<Point>,
     /// The deflection inside, where it is not read off the section.
-    pub sheet: Option<Sheet>,
+    pub surface: Option<Surface>,
     /// Where the deflection is largest.
     pub worst: Option<Cell>,
 }
@@ -104,7 +104,7 @@ pub struct Arrow {
     pub colour: &'static str,
 }
 
-impl Sheet {
+impl Surface {
     /// A map over the plane of x and z at `y` m to the left, told in a unit.
     pub fn of_map(map: &Grid, unit: Unit, y: f64) -> Self {
         let stride = map.x.count.max(map.z.count).div_ceil(MOST_POINTS).max(1);
@@ -112,7 +112,7 @@ impl Sheet {
         let kept = |count: usize| (0..count).filter(move |i| i % stride == 0 || i + 1 == count);
         let cell = |i: usize, j: usize| Cell {
             at: [map.x.at(i), y, map.z.at(j)],
-            mm: map.get(i, j).map(|value| unit.told(value)),
+            mm: map.get(i, j).map(|value| unit.of_si(value)),
         };
         Self { rows: kept(map.z.count).map(|j| kept(map.x.count).map(|i| cell(i, j)).collect()).collect() }
     }
@@ -199,11 +199,11 @@ mod tests {
             at: [1.0 + f64::from(i) / 8.0, 0.25, 0.5 + f64::from(j) / 8.0],
             mm: (i < 3).then_some(1.5 + f64::from(i + j) / 64.0),
         };
-        let sheet = Sheet { rows: (0..3).map(|j| (0..4).map(|i| cell(i, j)).collect()).collect() };
+        let surface = Surface { rows: (0..3).map(|j| (0..4).map(|i| cell(i, j)).collect()).collect() };
         let zone = Zone {
             label: "</script><script>alert(1)</script>".into(),
             rim: vec![[1.0, 0.25, 0.5], [1.5, 0.25, 0.5], [1.0, 0.25, 0.5]],
-            sheet: Some(sheet.clone()),
+            surface: Some(surface.clone()),
             worst: Some(cell(2, 2)),
         };
         let arrow = Arrow { label: "<b>worst</b>".into(), at: [1.0; 3], along: [0.0, 0.0, f64::NAN], colour: INK };
@@ -212,7 +212,7 @@ mod tests {
             notes: vec!["1 < 2".into()],
             arm: Some(ArmMark { points: vec![([0.0; 3], "<script>".into()), ([1.0; 3], "tool".into())], tool: None }),
             zone: Some(zone),
-            section: Some(sheet),
+            section: Some(surface),
             arrows: vec![arrow],
             colour_label: "worst deflection [mm]".into(),
             floor: true,
@@ -323,14 +323,16 @@ mod tests {
         let extent = Extent::Grid { x: axis, z: axis };
         let options = MapOptions { extent, load: Load::PAPER, elbow: None, held: None };
         let found = map(&Model::of_links(&arm).unwrap(), &options).unwrap();
-        let sheet = Sheet::of_map(&found.deflection, Unit::Millimetre, 0.1);
-        assert!(sheet.rows.len() <= MOST_POINTS + 1 && sheet.rows.iter().all(|row| row.len() == sheet.rows.len()));
-        let (first, last) = (sheet.rows[0][0].at, sheet.rows.last().unwrap().last().unwrap().at);
+        let surface = Surface::of_map(&found.deflection, Unit::Millimetre, 0.1);
+        assert!(
+            surface.rows.len() <= MOST_POINTS + 1 && surface.rows.iter().all(|row| row.len() == surface.rows.len())
+        );
+        let (first, last) = (surface.rows[0][0].at, surface.rows.last().unwrap().last().unwrap().at);
         for (found, expected) in first.iter().chain(&last).zip([-2.0, 0.1, -2.0, 2.0, 0.1, 2.0]) {
             assert!((found - expected).abs() < 1e-12, "{found} is not {expected}");
         }
-        assert!(sheet.rows[0][0].mm.is_none(), "out of reach");
-        let inside = sheet.rows[sheet.rows.len() / 2].iter().filter_map(|cell| cell.mm);
+        assert!(surface.rows[0][0].mm.is_none(), "out of reach");
+        let inside = surface.rows[surface.rows.len() / 2].iter().filter_map(|cell| cell.mm);
         // Between k l3^2 and k ((l2 + l3)^2 + l3^2), at 1 kN and 1 urad/(N m), mm.
         assert!(inside.clone().count() > 100 && inside.into_iter().all(|mm| (0.64 - 1e-9..=3.88 + 1e-9).contains(&mm)));
     }

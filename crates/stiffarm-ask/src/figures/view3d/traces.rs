@@ -10,7 +10,7 @@ use stiffarm::palette::{
 
 use super::super::bands::Bands;
 use super::solids::Solid;
-use super::{Point, Sheet, View};
+use super::{Point, Surface, View};
 use crate::markup::escaped;
 
 /// Radii of base, upper arm, forearm, hand and tool at their beginning, over the length of a link; each tapers to the next.
@@ -38,17 +38,17 @@ impl View {
     fn traces(&self) -> Vec<Value> {
         let mut traces = Vec::new();
         let bands = self.bands();
-        let zone_sheet = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
+        let zone_surface = self.zone.as_ref().and_then(|zone| zone.surface.as_ref());
         // What has no rim is a path: its ribbon is all that is seen of it.
         let inside = match &self.zone {
             Some(zone) if zone.rim.is_empty() => &*zone.label,
             _ => "inside the zone",
         };
-        let sheets = [("section", self.section.as_ref(), 0.75), (inside, zone_sheet, 1.0)];
-        for (name, sheet, opacity) in sheets {
-            if let (Some(sheet), Some(bands)) = (sheet, bands) {
+        let surfaces = [("section", self.section.as_ref(), 0.75), (inside, zone_surface, 1.0)];
+        for (name, surface, opacity) in surfaces {
+            if let (Some(surface), Some(bands)) = (surface, bands) {
                 let with_bar = traces.is_empty();
-                traces.push(surface(name, sheet, opacity, bands, with_bar.then_some(&*self.colour_label)));
+                traces.push(surface_trace(name, surface, opacity, bands, with_bar.then_some(&*self.colour_label)));
             }
         }
         traces.extend(self.floor_height().map(|height| self.floor(height)));
@@ -66,8 +66,8 @@ impl View {
 
     /// One scale for all that is coloured, in the bands of the flat figures.
     fn bands(&self) -> Option<Bands> {
-        let zone = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
-        let known = self.section.iter().chain(zone).flat_map(Sheet::cells).filter_map(|cell| cell.mm);
+        let zone = self.zone.as_ref().and_then(|zone| zone.surface.as_ref());
+        let known = self.section.iter().chain(zone).flat_map(Surface::cells).filter_map(|cell| cell.mm);
         let known = known.filter(|mm| mm.is_finite());
         let [low, high] = known.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], mm| [low.min(mm), high.max(mm)]);
         (low <= high).then(|| Bands::within(self.scale, [low, high], self.colours))
@@ -248,13 +248,13 @@ impl View {
 
     /// Every point of robot, work and map.
     fn shown(&self) -> impl Iterator<Item = Point> {
-        let zone = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
+        let zone = self.zone.as_ref().and_then(|zone| zone.surface.as_ref());
         let rim = self.zone.iter().flat_map(|zone| zone.rim.iter().copied());
-        let sheets = self.section.iter().chain(zone).flat_map(Sheet::cells).map(|cell| cell.at);
+        let surfaces = self.section.iter().chain(zone).flat_map(Surface::cells).map(|cell| cell.at);
         let arm =
             self.arm.iter().flat_map(|arm| arm.points.iter().map(|(at, _)| *at).chain(arm.tool.into_iter().flatten()));
         let arrows = self.arrows.iter().map(|arrow| std::array::from_fn(|k| arrow.at[k] + arrow.along[k]));
-        sheets.chain(rim).chain(arm).chain(arrows)
+        surfaces.chain(rim).chain(arm).chain(arrows)
     }
 
     fn layout(&self) -> Value {
@@ -309,18 +309,18 @@ impl View {
     }
 }
 
-/// A point of a flat sheet and its normal.
-fn plane_of(sheet: &Sheet) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let (first, last) = (sheet.rows.first()?, sheet.rows.last()?);
+/// A point of a flat surface and its normal.
+fn plane_of(surface: &Surface) -> Option<(Vector3<f64>, Vector3<f64>)> {
+    let (first, last) = (surface.rows.first()?, surface.rows.last()?);
     let [origin, across, along] = [first.first()?, first.last()?, last.first()?].map(|cell| Vector3::from(cell.at));
     let normal = (across - origin).cross(&(along - origin)).try_normalize(1e-12)?;
     Some((origin, normal))
 }
 
 /// A coloured surface whose colours are those of the scale, not of a lamp.
-fn surface(name: &str, sheet: &Sheet, opacity: f64, bands: Bands, bar: Option<&str>) -> Value {
+fn surface_trace(name: &str, surface: &Surface, opacity: f64, bands: Bands, bar: Option<&str>) -> Value {
     let grid = |pick: &dyn Fn(&super::Cell) -> Option<f64>| -> Value {
-        sheet.rows.iter().map(|row| row.iter().map(pick).collect::<Value>()).collect()
+        surface.rows.iter().map(|row| row.iter().map(pick).collect::<Value>()).collect()
     };
     let part = |k: usize| grid(&move |cell| Some(length(cell.at[k])));
     let mut surface = json!({

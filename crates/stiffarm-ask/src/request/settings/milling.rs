@@ -261,7 +261,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "SHARE",
         absent: Absent::Means("as the robot file or the prior has it"),
         needs: &[(Verb::Mill, "compensate")],
-        help: "By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what compensation leaves",
+        help: "Standard deviation of the logarithm of the compliance of every drive, for what compensation leaves",
         heading: "Compensation",
         example: "0.2",
         ..MILLED

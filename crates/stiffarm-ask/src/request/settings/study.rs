@@ -72,7 +72,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Range { is_bounded: true },
         value: "RANGE",
         absent: Absent::Default("0.5..1.5"),
-        help: "Link ratios among which the best is sought",
+        help: "Link ratios among which the best is searched for",
         example: "0.6..1.4",
         ..ROW
     }),

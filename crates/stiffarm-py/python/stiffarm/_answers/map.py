@@ -65,7 +65,7 @@ class Map(Table[MapDict]):
     tool_mass_kg: float | None
     tool_com_mm: list[float] | None
     tool_inertia_kg_m2: list[float] | None
-    #: Five of a hundred such robots swing slower at the slowest point.
+    #: 5th percentile, over draws of the drive stiffness, of the first frequency at the slowest point.
     slowest_hz_p05: float | None
     #: (nz, nx) of the arm with what it holds, motors held still; with ``quantity="first-frequency"``.
     first_frequency_hz: Array | None

@@ -125,7 +125,7 @@ class Milled(Table[MilledDict]):
     feasible: bool
     reason: str | None
     worst_mm: float | None
-    #: Where it lies with 90 %, as the drives may be.
+    #: Where it lies with 90 %, over draws of the drive stiffness.
     worst_mm_p05: float | None
     worst_mm_p50: float | None
     worst_mm_p95: float | None
@@ -229,7 +229,7 @@ class PathRanking(Table[PathRankingDict]):
     part: PathLength | None
     #: What of the displacement counts: ``"total"``, ``"across"`` or ``"axial"``.
     error: str | None
-    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be told apart share one), and as `Milled` tells it.
+    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be distinguished share one), and as `Milled` tells it.
     rows: list[PathRankingRow]
     #: What a manager would read.
     summary: list[str]

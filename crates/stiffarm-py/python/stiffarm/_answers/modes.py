@@ -84,7 +84,7 @@ class ModesOverZone(Table[ModesOverZoneDict]):
     masses_left_out: list[str]
     #: Nowhere in the zone the first frequency is lower: proved for the stiffness that is told; None where the proof did not end.
     first_at_least_hz: float | None
-    #: The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved.
+    #: 5th percentile over draws of the drive stiffness: drawn, not proved.
     first_at_least_hz_p05: float | None
     #: Into how many parts the zone was cut for the proof.
     zone_parts: int

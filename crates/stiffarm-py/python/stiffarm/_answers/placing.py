@@ -74,7 +74,7 @@ class Placement(Table[PlacementDict]):
     #: That there is no place is proved.
     proved: bool | None
     deflection_mm: float | None
-    #: 90 % interval and median, as far as the drives (and the model of a robot that was measured) may be off; None where nothing says how far.
+    #: 90 % interval and median, over draws of the drive stiffness (and of the residual of an identified model); None where nothing says how far.
     deflection_mm_p05: float | None
     deflection_mm_p50: float | None
     deflection_mm_p95: float | None
@@ -140,7 +140,7 @@ class Placement(Table[PlacementDict]):
     #: What the tolerance says of force, stiffness and size: ``force_factor``, ``largest_force_n``, ``stiffness_factor``, ``softest_drive``,
     #: ``largest_zone`` and more; None where no tolerance was given, and in a ranking of all but the best robots.
     advice: AdviceDict | None
-    #: In a ranking: its rank in this task alone, and whether another cannot be told apart from it by the proof.
+    #: In a ranking: its rank in this task alone, and whether another cannot be distinguished from it by the proof.
     task_rank: int | None
     task_rank_tied: bool | None
 
@@ -185,7 +185,7 @@ class Ranking(Table[RankingDict]):
     feed_deg: float | None
     #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
     component: str
-    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be told apart share one), ``rank_tied``, ``mean_ratio``, and ``cells`` with one placement per task.
+    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be distinguished share one), ``rank_tied``, ``mean_ratio``, and ``cells`` with one placement per task.
     rows: list[RankingRow]
     #: Who is best at each task.
     winners: list[Winner]
@@ -224,9 +224,9 @@ class Comparison(Table[ComparisonDict]):
     ratio: float | None
     #: It is proved which is better: its value lies below the other's bound.
     told_apart: bool
-    #: ``"a"`` or ``"b"``; None where they cannot be told apart.
+    #: ``"a"`` or ``"b"``; None where they cannot be distinguished.
     better: str | None
-    #: In which share of the draws of the drives each gives way least; None where nothing says how far they may be off.
+    #: In which share of the draws of the drives each gives way least; None where the uncertainty of the drives is not known.
     win_probability: list[float] | None
     #: What is not the same of both besides the answer.
     differ_in: list[str]

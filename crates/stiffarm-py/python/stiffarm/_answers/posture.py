@@ -70,7 +70,7 @@ class Compliance(Answer[ComplianceDict]):
     largest_mm: float | None
     #: (3,) the translation under it.
     deflection_mm: Array | None
-    #: 90 % interval and median of its length, as far as the drives may be off; None where nothing says how far.
+    #: 90 % interval and median of its length, over draws of the drive stiffness; None where its uncertainty is not known.
     deflection_mm_p05: float | None
     deflection_mm_p50: float | None
     deflection_mm_p95: float | None

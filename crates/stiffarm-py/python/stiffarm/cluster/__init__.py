@@ -128,7 +128,7 @@ def sweep(
     force_n : float or list of float
         Cutting forces [N].
     scenarios : int, or (m, 6) or (m, robots, 6) array_like, optional
-        A whole number: so many draws of how far the drives may be off, the first of those from which `stiffarm.rank` has its
+        A whole number: so many draws of the drive stiffness, the first of those from which `stiffarm.rank` has its
         intervals; of the prior (``stiffness="prior"``, which is taken in space where nothing is said) or of an identification.
         A robot of which nothing is known becomes rows with an ``error``.
         Else factors on the compliance of each drive [1], for all robots or for each: `spread`. A factor that is no positive
@@ -275,7 +275,7 @@ def _drawn(
             equipped, drawn = _stiffarm.draws(Robot.from_toml(robot["toml"]), asked, count)
             if is_count and drawn is None:
                 raise StiffarmError(
-                    f"nothing says how far the drives of {robot['robot']} may be off; stiffness='prior' does by its size"
+                    f"the drive stiffness of {robot['robot']} has no stated uncertainty; stiffness='prior' gives one by its size"
                 )
             told.append({**robot, "toml": equipped.to_toml()})
         except StiffarmError as error:

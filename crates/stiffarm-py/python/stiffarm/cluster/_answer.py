@@ -121,7 +121,7 @@ class Order(Table[OrderDict]):
     tasks: list[str]
     model: str
     force_n: float
-    #: ``rank`` (None for an estimated robot: it takes none; robots that cannot be told apart share one), ``rank_tied``, ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
+    #: ``rank`` (None for an estimated robot: it takes none; robots that cannot be distinguished share one), ``rank_tied``, ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
     #: the deflection [mm] under the name of each task.
     rows: list[dict[str, Any]]
 

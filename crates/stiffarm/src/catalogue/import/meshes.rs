@@ -72,7 +72,7 @@ impl Described<'_> {
         let links = std::array::from_fn(|i| links[i].iter().map(|one| rounded(one, grown[i])).collect());
         let mut enclosing = Enclosing { links, not_compared: Vec::new() };
         enclosing.not_compared = enclosing.always_touching(geometry, limits);
-        let mut notes = told(&triangles, &enclosing.links, &grown);
+        let mut notes = notes_on(&triangles, &enclosing.links, &grown);
         notes.extend(left_out.iter().map(|link| {
             format!("bodies: link '{}' follows a joint and is in no capsule: keep clear of it yourself", shown(link))
         }));
@@ -246,7 +246,7 @@ fn rounded(Capsule { ends, radius }: &Capsule, grown: f64) -> Capsule {
     Capsule { ends: ends.map(|end| end.map(near)), radius }
 }
 
-fn told(triangles: &[Vec<Triangle>; 7], links: &[Vec<Capsule>; 7], grown: &[f64; 7]) -> Vec<String> {
+fn notes_on(triangles: &[Vec<Triangle>; 7], links: &[Vec<Capsule>; 7], grown: &[f64; 7]) -> Vec<String> {
     let each = triangles.iter().zip(links).enumerate().map(|(link, (own, capsules))| {
         if own.is_empty() {
             format!("{link}: none")

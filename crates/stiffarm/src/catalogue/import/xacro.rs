@@ -12,7 +12,7 @@ use super::MOST_BYTES;
 use super::urdf::attribute;
 use crate::catalogue::reader::shown;
 
-/// Parameters by which names are told apart where several robots stand in one cell: a single arm has none.
+/// Parameters by which names are distinguished where several robots stand in one cell: a single arm has none.
 const PREFIXES: [&str; 2] = ["prefix", "tf_prefix"];
 /// Brackets in brackets: no file has more.
 const DEEPEST: usize = 50;

@@ -44,7 +44,7 @@ pub(super) fn check(measurements: &Measurements, units: &Units, faults: &mut Vec
     if readings.iter().all(|reading| reading.posture == readings[0].posture) && last == 0 {
         let rows = readings.len();
         faults.push(whole(format!(
-            "{rows} rows, all of one posture; drives are told apart by postures that differ, expected at least two and better twenty"
+            "{rows} rows, all of one posture; drives are distinguished by postures that differ, expected at least two and better twenty"
         )));
     } else if readings.iter().all(|reading| reading.q == readings[0].q) {
         faults.push(whole(

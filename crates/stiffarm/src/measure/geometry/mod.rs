@@ -92,7 +92,7 @@ pub fn geometry_plan(robot: &Robot, options: &Options, watch: Watch) -> Result<G
     }
     let work: &[[f64; 6]] = if options.work.is_empty() { &candidates } else { &options.work };
     let scale = scale_of_errors(0.5);
-    let told = Told { frames: &frames, prior: prior_of_errors(scale), markers: &options.markers };
+    let told = Sensitivity { frames: &frames, prior: prior_of_errors(scale), markers: &options.markers };
     let seen = told.rows(work, &options.markers[..1]);
     let weight = squares(&seen.transpose(), |_| 1.0) / work.len() as f64;
     let noise = options.sigma.hypot(options.posture_sigma);
@@ -136,14 +136,14 @@ fn as_drawn(seen: &DMatrix<f64>) -> f64 {
 }
 
 /// How far points move with each unknown, in parts of what is known of it.
-struct Told<'a> {
+struct Sensitivity<'a> {
     frames: &'a Frames,
     /// Standard deviations of the arm's errors.
     prior: Vec<f64>,
     markers: &'a [Vector3<f64>],
 }
 
-impl Told<'_> {
+impl Sensitivity<'_> {
     /// Of every posture three rows a point, m: the errors of the arm, shift and turn of the instrument's frame, and every marker's place.
     fn rows(&self, postures: &[[f64; 6]], points: &[Vector3<f64>]) -> DMatrix<f64> {
         let unknowns = ALL + 6 + 3 * self.markers.len();

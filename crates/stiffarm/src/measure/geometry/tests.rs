@@ -82,9 +82,9 @@ fn rows_are_the_slopes_of_where_points_stand() {
     let robot = robot();
     let frames = Frames::of(&robot).unwrap();
     let markers = [Vector3::new(0.1, 0.05, 0.15), Vector3::new(0.0, -0.1, 0.02)];
-    let told = Told { frames: &frames, prior: vec![2.0; ALL], markers: &markers };
+    let sensitivity = Sensitivity { frames: &frames, prior: vec![2.0; ALL], markers: &markers };
     let q = [0.3, -1.2, 1.5, 0.7, -0.9, 2.0];
-    let rows = told.rows(&[q], &markers);
+    let rows = sensitivity.rows(&[q], &markers);
     let step = 1e-6;
     for (j, marker) in markers.iter().enumerate() {
         let at = |errors: &[f64]| (frames.chain(errors, &q).flange * nalgebra::Point3::from(*marker)).coords;
@@ -109,9 +109,9 @@ fn what_least_squares_leave_of_drawn_errors_is_what_is_expected() {
     let plan = geometry_plan(&robot, &options, Watch::nobody()).unwrap();
     let known = postures(&robot, &options, 300, &Watch::nobody().parts(None)).unwrap();
     let frames = Frames::of(&robot).unwrap();
-    let told = Told { frames: &frames, prior: prior_of_errors(plan.scale), markers: &options.markers };
-    let measured = told.rows(&plan.postures, &options.markers) / options.sigma;
-    let seen = told.rows(&known, &options.markers);
+    let sensitivity = Sensitivity { frames: &frames, prior: prior_of_errors(plan.scale), markers: &options.markers };
+    let measured = sensitivity.rows(&plan.postures, &options.markers) / options.sigma;
+    let seen = sensitivity.rows(&known, &options.markers);
     let (rows, unknowns) = measured.shape();
     let mut stacked = DMatrix::zeros(rows + unknowns, unknowns);
     stacked.rows_mut(0, rows).copy_from(&measured);

@@ -1,5 +1,5 @@
 //! Which nodes and edges of a ladder touch something? Those that a best path takes are looked at, and where one touches those about it; all
-//! that touch are blocked, and the path is sought anew, until it is clear. What was never the best is never looked at, and the path is
+//! that touch are blocked, and the path is searched again, until it is clear. What was never the best is never looked at, and the path is
 //! the best of all that are clear.
 
 use std::collections::{BTreeMap, HashSet};
@@ -12,7 +12,7 @@ use super::{Contact, Guard, Posed, deeper};
 use crate::angle::wrapped;
 use crate::clearance::{Link, Near, Obstacle};
 use crate::inverse::Configuration;
-use crate::mill::climb::{Climb, MOST_STEPS, Node, Sought};
+use crate::mill::climb::{Climb, Goal, MOST_STEPS, Node};
 use crate::mill::fault::MillError;
 use crate::mill::follow::Arrangement;
 use crate::mill::ladder::Ladder;
@@ -24,17 +24,17 @@ impl Ladder<'_> {
     pub(in crate::mill) fn clear_path(
         &mut self,
         guard: Option<&Guard>,
-        (sought, most, is_wound): (Sought, f32, bool),
+        (goal, most, is_wound): (Goal, f32, bool),
         watch: Watch,
     ) -> Result<Result<(Vec<Node>, f64), usize>, MillError> {
         loop {
-            let found = Climb::new(self, sought, most, is_wound).path(watch)?;
+            let found = Climb::new(self, goal, most, is_wound).path(watch)?;
             let (Some(guard), Ok((path, _))) = (guard, &found) else { return Ok(found) };
             if self.is_clear(guard, path, most)? {
                 return Ok(found);
             }
             guard.has_forbidden();
-            // No path needs to be sought to know that there is none.
+            // No path needs to be searched for to know that there is none.
             if let Some(shut) =
                 self.rungs.iter().position(|rung| rung.errors.iter().flatten().all(|error| most < *error))
             {

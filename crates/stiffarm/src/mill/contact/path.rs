@@ -64,7 +64,7 @@ impl Guard<'_> {
             last = posed.last().copied();
         }
         let Found { nearest, at, contacts, .. } = found;
-        let nearest = nearest.map(|near| self.thick.told(near, None, samples.len()));
+        let nearest = nearest.map(|near| self.thick.clearance_of(near, None, samples.len()));
         let unavoidable = tool.and_then(|tool| tool.deepest(self));
         Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable }))
     }

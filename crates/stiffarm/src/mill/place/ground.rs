@@ -1,4 +1,4 @@
-//! Where may a path stand? Which places are tried, what of them is allowed, and over which places a bound is sought.
+//! Where may a path stand? Which places are tried, what of them is allowed, and over which places a bound is searched for.
 
 use std::f64::consts::PI;
 

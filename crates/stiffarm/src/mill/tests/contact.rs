@@ -127,7 +127,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
     let grid = RollGrid::turn(ROLLS);
     let every = Ladder::new(&arm, &stations, one, (ErrorPart::Total, grid), 0.8, Watch::nobody()).unwrap();
     assert!(every.rungs.iter().all(|rung| rung.samples.len() == 1), "a rung a sample: nodes are single postures");
-    let climb = Climb::new(&every, Sought::LeastError, f32::MAX, false);
+    let climb = Climb::new(&every, Goal::LeastError, f32::MAX, false);
     let (best, unasked) = climb.path(Watch::nobody()).unwrap().expect("a path");
     // One world with a box in the wrist of the best path.
     let middle = every.rungs.len() / 2;
@@ -195,7 +195,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
             last = next;
         }
         let expected = last.iter().map(|(_, value)| *value).fold(f64::INFINITY, f64::min);
-        let found = ladder.clear_path(Some(&guard), (Sought::LeastError, f32::MAX, false), Watch::nobody()).unwrap();
+        let found = ladder.clear_path(Some(&guard), (Goal::LeastError, f32::MAX, false), Watch::nobody()).unwrap();
         let Ok((nodes, value)) = found else {
             assert!(expected == f64::INFINITY, "{expected}");
             continue;
@@ -204,7 +204,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
         led_aside += usize::from(unasked < value * (1.0 - 1e-6));
         // What was blocked is given back, and the path of before found again.
         ladder.unblock();
-        let again = ladder.clear_path(None, (Sought::LeastError, f32::MAX, false), Watch::nobody()).unwrap();
+        let again = ladder.clear_path(None, (Goal::LeastError, f32::MAX, false), Watch::nobody()).unwrap();
         assert_eq!(again.unwrap().1, unasked);
         assert_eq!(nodes.len(), ladder.rungs.len());
     }

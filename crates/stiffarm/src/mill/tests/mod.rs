@@ -5,7 +5,7 @@ mod pins;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::climb::{Climb, Sought};
+use super::climb::{Climb, Goal};
 use super::ladder::Ladder;
 use super::*;
 use crate::batch::RollGrid;
@@ -224,7 +224,7 @@ fn the_best_path_over_a_ladder_is_that_of_a_search_with_thresholds() {
                 *error = 1.0 + rng.f32();
             }
         }
-        let climb = Climb::new(&ladder, Sought::LeastError, f32::MAX, false);
+        let climb = Climb::new(&ladder, Goal::LeastError, f32::MAX, false);
         let (nodes, least) = climb.path(Watch::nobody()).unwrap().expect("a path");
         let at = |k: usize, c: usize, roll: usize| {
             (k, Arrangement { configuration: Configuration::ALL[c], roll: ladder.grid.roll(roll) })
@@ -275,7 +275,7 @@ fn the_smoothest_path_over_a_ladder_is_that_of_every_pair_of_nodes() {
         }
         let most = if by_chance { 1.0 } else { f32::MAX };
         let (nodes, value) =
-            Climb::new(&ladder, Sought::LeastMotion, most, false).path(Watch::nobody()).unwrap().expect("a path");
+            Climb::new(&ladder, Goal::LeastMotion, most, false).path(Watch::nobody()).unwrap().expect("a path");
         let speeds = ladder.speeds.expect("a robot whose speeds are known");
         let joints = |k: usize| -> Vec<(usize, usize, [f64; 6])> {
             let of = |roll: usize| {
@@ -327,16 +327,16 @@ fn a_path_is_as_smooth_whether_its_least_error_was_sought_or_is_known() {
     let ladder =
         Ladder::new(&arm, &stations, one, (ErrorPart::Total, RollGrid::turn(180)), 0.8, Watch::nobody()).unwrap();
     let near = ladder.floor() * 1.005;
-    let climb = |sought, most| Climb::new(&ladder, sought, most, false).path(Watch::nobody()).unwrap().expect("a path");
-    let (_, least) = climb(Sought::LeastError, near);
+    let climb = |goal, most| Climb::new(&ladder, goal, most, false).path(Watch::nobody()).unwrap().expect("a path");
+    let (_, least) = climb(Goal::LeastError, near);
     assert!(f64::from(ladder.floor()) <= least && least <= f64::from(near), "{least}");
     let (path, most) = ladder.clone().smoothest(None, (near, false), Watch::nobody()).unwrap().unwrap();
     assert_eq!(most, near, "what is spared of the least error is more");
-    assert_eq!(path, climb(Sought::LeastMotion, near).0);
+    assert_eq!(path, climb(Goal::LeastMotion, near).0);
     // Far above it the least error counts.
     let (path, most) = ladder.clone().smoothest(None, (2.0 * near, false), Watch::nobody()).unwrap().unwrap();
     assert!((f64::from(most) / least - 1.01).abs() < 1e-6, "{most} {least}");
-    assert_eq!(path, climb(Sought::LeastMotion, most).0);
+    assert_eq!(path, climb(Goal::LeastMotion, most).0);
 }
 
 /// What is enclosed over an interval of the roll lies below the error at every roll in it, one posture after the other, and hardly below that of a
@@ -470,8 +470,9 @@ fn the_error_along_a_normal_is_the_part_of_the_displacement_along_it() {
     // Feeds in all directions: the axes of the cut are not those of the part.
     let stations = path("circle:0.3", KNOWN);
     let with_normals = |normal: &dyn Fn(&Station) -> Vector3<f64>| -> Vec<Station> {
-        let told = |station: &Station| crate::toolpath::Sample { normal: Some(normal(station)), ..station.sample };
-        stations.iter().map(|station| Station { sample: told(station), ..station.clone() }).collect()
+        let with_normal =
+            |station: &Station| crate::toolpath::Sample { normal: Some(normal(station)), ..station.sample };
+        stations.iter().map(|station| Station { sample: with_normal(station), ..station.clone() }).collect()
     };
     let options = |part| MillOptions { part, ..with(RollMode::Free) };
     let across = with_normals(&|station| cutting_axes(&station.sample).column(1).into());

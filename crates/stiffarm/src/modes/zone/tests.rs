@@ -177,7 +177,7 @@ fn over_a_placed_zone_least_and_largest_are_those_of_a_finer_grid_and_the_bound_
         let over = modes_over(&model, zone, &options, &best, &tool).unwrap();
         let Hold::Space(hold) = &best.hold else { panic!("in space") };
         let (work, arm) = (hold.work(&best), SwingingArm::new(&robot, &tool).unwrap());
-        let plane = WorkPlane::of(options.stance().elevation, &work);
+        let plane = WorkPlane::of(options.tool_orientation().elevation, &work);
         let mut ranges = [[f64::INFINITY, 0.0]; 6];
         let side = |i: usize| i as f64 / 40.0 - 1.0;
         for at in (0..=80).flat_map(|j| (0..=80).map(move |i| zone.at([side(i), side(j)]))) {

@@ -110,7 +110,7 @@ impl Directed {
 
     /// An upper bound on what counts over all values of the variables, m/N, and at which ends of them it seems to be greatest.
     ///
-    /// What counts, or its square, is a convex function of the entries of the form whose greatest value is sought: of their linear parts it is
+    /// What counts, or its square, is a convex function of the entries of the form whose greatest value is searched for: of their linear parts it is
     /// greatest at a corner of the variables, and what is left over adds no more than its own greatest value.
     fn most(&self, elbow: Elbow, p: [Affine<2>; 2]) -> (f64, [f64; 2]) {
         let unknown = (f64::INFINITY, [0.0; 2]);

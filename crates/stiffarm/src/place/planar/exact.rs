@@ -7,7 +7,7 @@ use crate::task::Zone;
 
 /// A zone standing symmetrically about a ray from the joint-2 axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stance {
+pub(super) struct SymmetricPlace {
     /// `max(sigma(near), sigma(far))`, m/N.
     pub(super) compliance: f64,
     /// Distance from the axis to the centre, m.
@@ -20,9 +20,9 @@ pub(super) struct Stance {
 ///
 /// For a given nearest distance `n` no way of standing has a nearer farthest point than a symmetrical one,
 /// `far(n) = hypot(n + depth, half_width)`.
-pub(super) fn stances(sigma: &RadialCompliance, ring: Interval, zone: Zone) -> Vec<Stance> {
-    let mut stances: Vec<Stance> = zone
-        .stances()
+pub(super) fn symmetric_places(sigma: &RadialCompliance, ring: Interval, zone: Zone) -> Vec<SymmetricPlace> {
+    let mut symmetric_places: Vec<SymmetricPlace> = zone
+        .symmetric_places()
         .zip([false, true])
         .filter_map(|((depth, half_width), across)| {
             let far = |near: f64| (near + depth).hypot(half_width);
@@ -30,11 +30,11 @@ pub(super) fn stances(sigma: &RadialCompliance, ring: Interval, zone: Zone) -> V
             let nears = Interval::new(ring.min(), farthest_near)?;
             let near = best_near(sigma, nears, far);
             let compliance = sigma.at(near).max(sigma.at(far(near)));
-            Some(Stance { compliance, distance: near + depth / 2.0, across })
+            Some(SymmetricPlace { compliance, distance: near + depth / 2.0, across })
         })
         .collect();
-    stances.sort_by(|a, b| a.compliance.total_cmp(&b.compliance));
-    stances
+    symmetric_places.sort_by(|a, b| a.compliance.total_cmp(&b.compliance));
+    symmetric_places
 }
 
 /// The best of the nearest distances `nears`, m, of a zone that reaches out to `far` of it.
@@ -57,7 +57,7 @@ pub(crate) fn best_near(sigma: &RadialCompliance, nears: Interval, far: impl Fn(
 /// It stands as near as it can: `hypot(n + s depth, s half_width) = far`, a quadratic in `s`.
 pub(super) fn largest_scale(ring: Interval, zone: Zone) -> f64 {
     let (near, far) = (ring.min(), ring.max());
-    zone.stances()
+    zone.symmetric_places()
         .map(|(depth, half_width)| {
             let a = depth * depth + half_width * half_width;
             let b = near * depth;

@@ -110,7 +110,7 @@ struct Allowed<'a> {
 
 impl<'a> Allowed<'a> {
     fn of(model: &'a PlanarModel, options: &PlaceOptions, parts: &'a Parts<'a>) -> Result<Self, PlaceError> {
-        if options.stance.is_some() {
+        if options.tool_orientation.is_some() {
             return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
         }
         let sector = options.load.sector()?;
@@ -272,7 +272,7 @@ pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Result<Option<f64>, P
     check_zone(zone)?;
     let sigma = arm.radial();
     let ring = Interval::spanning(sigma.folded, sigma.stretched);
-    Ok(exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance))
+    Ok(exact::symmetric_places(&sigma, ring, zone).first().map(|place| place.compliance))
 }
 
 /// The largest scale at which a zone fits an arm whose limits are left aside.

@@ -26,7 +26,7 @@ use crate::watch::{Parts, Stopped};
 const MOST_BOXES: usize = 1_000_000;
 /// The same under a known force, where each box costs more; the answer then tells the bound that was reached.
 const MOST_BOXES_DIRECTED: usize = 50_000;
-/// The same where only the largest scale is sought: so near to what fits a proof costs most and matters least.
+/// The same where only the largest scale is searched for: so near to what fits a proof costs most and matters least.
 const MOST_BOXES_FOR_SCALE: usize = 50_000;
 /// Relative allowance for the rounding of a bound.
 const ROUNDING: f64 = 1e-12;
@@ -175,16 +175,16 @@ impl<'a> Search<'a> {
         let mut queue = Frontier::new();
         let sigma = self.arm.radial();
         for (i, side) in self.sides.iter().enumerate() {
-            let stances = exact::stances(&sigma, side.ring, zone);
-            let Some(first) = stances.first() else {
+            let symmetric_places = exact::symmetric_places(&sigma, side.ring, zone);
+            let Some(first) = symmetric_places.first() else {
                 continue;
             };
             let lower = if self.objective.is_radial() { first.compliance * (1.0 - ROUNDING) } else { 0.0 };
             for node in self.roots(zone, i, lower) {
-                for stance in &stances {
-                    let unit = if stance.across { Vector2::y() } else { Vector2::x() };
+                for place in &symmetric_places {
+                    let unit = if place.across { Vector2::y() } else { Vector2::x() };
                     for sign in [1.0, -1.0] {
-                        let spot = self.stands(zone, i, sign * stance.distance * unit, node.turn);
+                        let spot = self.stands(zone, i, sign * place.distance * unit, node.turn);
                         let found = spot.and_then(|spot| self.judge(zone, spot, f64::INFINITY));
                         if let Some(found) = found
                             && best.is_none_or(|best| found.beats(&best))

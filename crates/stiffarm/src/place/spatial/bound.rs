@@ -24,7 +24,7 @@ const MOST_POSES: usize = 400_000;
 const MOST_POSES_FOR_NONE: usize = 50_000;
 /// Of nodes larger than this part of the upper arm only the extreme poses of the zone are enclosed.
 const COARSE: f64 = 0.15;
-/// Nodes among which those are chosen from which a place is sought once more, and how many are.
+/// Nodes among which those are chosen from which a place is searched once more, and how many are.
 const MOST_UNFATHOMED: usize = 2000;
 const RESTARTED: usize = 8;
 /// Nodes of this size, m, are not split: a place is found no finer.
@@ -325,17 +325,18 @@ mod tests {
     use crate::load::{Component, Load};
     use crate::model::Model;
     use crate::place::spatial::search::region;
-    use crate::place::{Orientation, PlaceOptions, Placed, Stance, deflection_field, place};
+    use crate::place::{Orientation, PlaceOptions, Placed, ToolOrientation, deflection_field, place};
     use crate::spatial::Pose;
     use crate::watch::Watch;
     use crate::work::WorkPlane;
 
     /// Zones, tools and what else is asked.
     fn typical() -> Vec<(Zone, Pose, PlaceOptions)> {
-        let down = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(Load::UNIT) };
+        let down =
+            PlaceOptions { tool_orientation: Some(ToolOrientation::tool_down()), ..PlaceOptions::under(Load::UNIT) };
         let (tool, aside) = (Pose::translation(0.0, 0.0, 0.2), Pose::translation(0.1, 0.0, 0.2));
         let circle = Zone::Circle { diameter: 0.5 };
-        let facing = Stance { yaw: Interval::point(0.0), ..Stance::tool_at(0.0) };
+        let facing = ToolOrientation { yaw: Interval::point(0.0), ..ToolOrientation::tool_at(0.0) };
         vec![
             (circle, tool, down),
             (circle, aside, down),
@@ -344,7 +345,7 @@ mod tests {
                 tool,
                 PlaceOptions { orientation: Orientation::Free, ..down },
             ),
-            (circle, tool, PlaceOptions { stance: Some(facing), ..down }),
+            (circle, tool, PlaceOptions { tool_orientation: Some(facing), ..down }),
         ]
     }
 
@@ -400,7 +401,8 @@ mod tests {
         let (zone, tool) = (Zone::Rectangle { width: 0.3, height: 0.2 }, Pose::translation(0.0, 0.0, 0.2));
         for (robot, (load, most)) in paper_robots().iter().step_by(2).zip(loads) {
             let model = Model::spatial(robot, &tool).unwrap();
-            let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(load) };
+            let options =
+                PlaceOptions { tool_orientation: Some(ToolOrientation::tool_down()), ..PlaceOptions::under(load) };
             let best = place(&model, &zone.into(), &options, Watch::nobody()).unwrap().feasible().cloned().unwrap();
             let hold = best.space().unwrap();
             let gap = 1.0 - best.lower_bound / best.deflection;

@@ -15,7 +15,7 @@ use crate::tolerances;
 use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
-/// How often a place is sought anew within narrower limits.
+/// How often a place is searched again within narrower limits.
 const NARROWINGS: usize = 5;
 /// Draws of the drives by which it is seen where in a zone the worst may lie.
 const TRIALS: usize = 64;

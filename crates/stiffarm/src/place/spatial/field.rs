@@ -27,7 +27,7 @@ pub(in crate::place) fn deflection_field(
 ) -> Result<Vec<ZonePoint>, PlaceError> {
     let (robot, arm) = (model.robot(), model.arm());
     let work = hold.work(placement);
-    let plane = WorkPlane::of(options.stance().elevation, &work);
+    let plane = WorkPlane::of(options.tool_orientation().elevation, &work);
     let forces = plane.forces(options.load);
     let tool_from_flange = arm.flange_from_tool.inverse();
     let evaluated = |at: Point2<f64>| {
@@ -53,7 +53,7 @@ mod tests {
     use crate::interval::Interval;
     use crate::load::Load;
     use crate::model::Model;
-    use crate::place::Stance;
+    use crate::place::ToolOrientation;
     use crate::place::{Orientation, deflection_field, place};
     use crate::spatial::Pose;
     use crate::task::Zone;
@@ -70,8 +70,12 @@ mod tests {
         ];
         for (robot, (elevation, yaw, orientation)) in paper_robots().iter().zip(asked) {
             let model = Model::spatial(robot, &Pose::translation(0.0, 0.05, 0.2)).unwrap();
-            let stance = Stance { elevation, yaw, roll: None };
-            let options = PlaceOptions { stance: Some(stance), orientation, ..PlaceOptions::under(Load::PAPER) };
+            let tool_orientation = ToolOrientation { elevation, yaw, roll: None };
+            let options = PlaceOptions {
+                tool_orientation: Some(tool_orientation),
+                orientation,
+                ..PlaceOptions::under(Load::PAPER)
+            };
             let placed = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
             let found = placed.feasible().unwrap_or_else(|| panic!("{}: no place", robot.name));
             let side = |i: i32| f64::from(i) / 20.0 - 1.0;

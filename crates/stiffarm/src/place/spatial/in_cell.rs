@@ -36,7 +36,7 @@ const LARGEST: Effort = Effort { places: 320_000.0, starts: 120, finalists: 40 }
 
 /// Sites whose clearance is looked at before it is asked whether they are enough.
 const BLOCK: usize = 256;
-/// How often a place is sought anew with more clearance than was asked for.
+/// How often a place is searched again with more clearance than was asked for.
 const TOUCHES: usize = 3;
 /// A mount that is turned leaves so much, rad, in what is straight ahead: rounding.
 const AHEAD: f64 = 1e-12;

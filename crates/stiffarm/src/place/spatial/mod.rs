@@ -21,7 +21,8 @@ pub(super) use field::deflection_field;
 pub(super) use part::place as place_part;
 
 use super::{
-    Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold, Stance, Within,
+    Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold,
+    ToolOrientation, Within,
 };
 use crate::cell::Cell;
 use crate::clearance::Clearance;
@@ -41,12 +42,12 @@ struct Question<'a> {
     force: f64,
     /// The same with its direction.
     load: Load,
-    /// As [`Stance::elevation`].
+    /// As [`ToolOrientation::elevation`].
     elevation: f64,
-    /// As [`Stance::yaw`].
+    /// As [`ToolOrientation::yaw`].
     yaw: Interval,
     orientation: Orientation,
-    /// As [`Stance::roll`].
+    /// As [`ToolOrientation::roll`].
     roll: Option<f64>,
     /// With the floor.
     within: Within,
@@ -63,7 +64,7 @@ impl<'a> Question<'a> {
         if options.gap.is_some() {
             return Err(PlaceError::Inapplicable { what: "a gap", model: "planar" });
         }
-        let Stance { elevation, yaw, roll } = options.stance();
+        let ToolOrientation { elevation, yaw, roll } = options.tool_orientation();
         let angles = [elevation, yaw.min(), yaw.max(), roll.unwrap_or(0.0)];
         if let Some(angle) = angles.into_iter().find(|angle| !(angle.abs() <= 1e3)) {
             return Err(PlaceError::Angle(angle));
@@ -105,7 +106,7 @@ impl<'a> Question<'a> {
 
     /// The tool axis is vertical: the zone's yaw and its angle are the same thing.
     fn is_vertical(&self) -> bool {
-        Stance { elevation: self.elevation, yaw: self.yaw, roll: self.roll }.is_vertical()
+        ToolOrientation { elevation: self.elevation, yaw: self.yaw, roll: self.roll }.is_vertical()
     }
 }
 

@@ -15,7 +15,7 @@ use crate::model::SpatialModel;
 use crate::parallel;
 use crate::part::{Face, Part};
 use crate::place::{
-    FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
+    FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, ToolOrientation, Within,
 };
 use crate::tolerances;
 use crate::watch::{Parts, Stopped, Watch};
@@ -23,7 +23,7 @@ use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// Parts that are evaluated before the best value so far is compared again.
 const BLOCK: usize = 64;
-/// How often a place is sought anew within narrower limits.
+/// How often a place is searched again within narrower limits.
 const NARROWINGS: usize = 5;
 
 /// Where a part stands: ahead and up, m from the base, of the middle of its underside, and its turn about the vertical, rad.
@@ -73,7 +73,7 @@ pub(in crate::place) fn place(
         Some((stand, found)) => {
             let worst = found.iter().map(|face| face.deflection).fold(0.0, f64::max);
             let bounds = prove(&arm, part, &questions, worst / questions[0].force)?;
-            Ok(Placed::Feasible(search.told(stand, found, &bounds)))
+            Ok(Placed::Feasible(search.placement(stand, found, &bounds)))
         }
         None => infeasible(model, &arm, (part, options), &questions),
     }
@@ -86,13 +86,14 @@ fn questions<'a>(
     options: &PlaceOptions,
     parts: &'a Parts<'a>,
 ) -> Result<Option<Vec<Question<'a>>>, PlaceError> {
-    if options.stance.is_some_and(|stance| !stance.yaw.contains(0.0, 0.0)) {
+    if options.tool_orientation.is_some_and(|tool_orientation| !tool_orientation.yaw.contains(0.0, 0.0)) {
         return Err(PlaceError::Inapplicable { what: "a yaw of the plane", model: "one flat zone" });
     }
     let of = |face: &Face| {
-        let asked = options.stance();
-        let stance = Stance { elevation: face.elevation, yaw: Interval::point(0.0), roll: asked.roll };
-        Question::of(model, &PlaceOptions { stance: Some(stance), ..*options }, parts)
+        let asked = options.tool_orientation();
+        let tool_orientation =
+            ToolOrientation { elevation: face.elevation, yaw: Interval::point(0.0), roll: asked.roll };
+        Question::of(model, &PlaceOptions { tool_orientation: Some(tool_orientation), ..*options }, parts)
     };
     part.faces.iter().map(of).collect()
 }
@@ -170,13 +171,14 @@ fn infeasible(
     (part, options): (&Part, &PlaceOptions),
     questions: &[Question],
 ) -> Result<Placed, PlaceError> {
-    let told = |reason: Misfit, is_proved: bool| Ok(Placed::Infeasible { reason, is_proved, largest_scale: None });
+    let infeasible =
+        |reason: Misfit, is_proved: bool| Ok(Placed::Infeasible { reason, is_proved, largest_scale: None });
     let bare = PlaceOptions { margins: Margins::NONE, ..*options };
     if options.margins != Margins::NONE
         && let Some(bare) = self::questions(model, part, &bare, questions[0].parts)?
         && PartSearch::new(model, &model.arm, part, &bare).find()?.is_some()
     {
-        return told(Misfit::Margins, false);
+        return infeasible(Misfit::Margins, false);
     }
     for (face, question) in part.faces.iter().zip(questions) {
         // Turned about the joint-1 axis a face is reached as before, whatever pushes.
@@ -187,10 +189,10 @@ fn infeasible(
         let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
         let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(f64::INFINITY)?;
         if proof.unfathomed.is_empty() {
-            return told(Misfit::Face(face.name.clone()), true);
+            return infeasible(Misfit::Face(face.name.clone()), true);
         }
     }
-    told(Misfit::NowhereWhole { step: PartSearch::new(model, arm, part, questions).step }, false)
+    infeasible(Misfit::NowhereWhole { step: PartSearch::new(model, arm, part, questions).step }, false)
 }
 
 impl<'a> PartSearch<'a> {
@@ -432,7 +434,7 @@ impl<'a> PartSearch<'a> {
     }
 
     /// The placement of the part: that of its worst face, with all of them.
-    fn told(&self, stand: Stand, found: Vec<Solution>, bounds: &[(f64, usize)]) -> Placement {
+    fn placement(&self, stand: Stand, found: Vec<Solution>, bounds: &[(f64, usize)]) -> Placement {
         let force = self.searches[0].options.force;
         let boxes = bounds.iter().map(|(_, boxes)| boxes).sum();
         let worst = found.iter().max_by(|a, b| a.deflection.total_cmp(&b.deflection)).expect("a face").clone();
@@ -443,7 +445,7 @@ impl<'a> PartSearch<'a> {
         };
         let clearance = found.iter().filter_map(|face| face.clearance).reduce(Clearance::and);
         let from_axis_1 = found.iter().map(|face| face.from_axis_1).fold(f64::INFINITY, f64::min);
-        let told = |((mut found, face), (lower, _)): ((Solution, &Face), &(f64, usize))| {
+        let face_placement = |((mut found, face), (lower, _)): ((Solution, &Face), &(f64, usize))| {
             let work = placed(face, &stand, found.roll);
             found.resolution.boxes = boxes;
             FacePlacement {
@@ -465,6 +467,6 @@ impl<'a> PartSearch<'a> {
             resolution: Resolution { boxes, ..worst.resolution },
             ..worst
         };
-        Placement { faces: found.into_iter().zip(self.faces).zip(bounds).map(told).collect(), ..whole.into() }
+        Placement { faces: found.into_iter().zip(self.faces).zip(bounds).map(face_placement).collect(), ..whole.into() }
     }
 }

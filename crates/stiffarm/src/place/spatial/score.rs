@@ -89,7 +89,7 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::load::Load;
     use crate::model::Model;
-    use crate::place::{PlaceOptions, Stance};
+    use crate::place::{PlaceOptions, ToolOrientation};
     use crate::spatial::Pose;
     use crate::task::Zone;
     use crate::watch::Watch;
@@ -100,7 +100,8 @@ mod tests {
         let mut rng = fastrand::Rng::with_seed(31);
         let zone = Zone::Rectangle { width: 0.5, height: 0.3 };
         let grid = Grid::of(zone, 6).outermost_first();
-        let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(Load::UNIT) };
+        let options =
+            PlaceOptions { tool_orientation: Some(ToolOrientation::tool_down()), ..PlaceOptions::under(Load::UNIT) };
         let [mut exact, mut pruned, mut unreached] = [0; 3];
         for robot in paper_robots().iter().step_by(3) {
             let tool = Pose::translation(0.1, 0.0, 0.2);

@@ -176,7 +176,7 @@ impl<'a> Rewriter<'a> {
     fn statements(&mut self, point: &Point, places: &[Place]) -> Result<Vec<Vec<u8>>, Wrong> {
         let mut statements = Vec::new();
         for (i, place) in places.iter().enumerate() {
-            let told = self.told(point, place);
+            let told = self.numbers(point, place);
             let is_same = told.iter().zip(&point.told).all(|(a, b)| a == b) && told.len() == point.told.len();
             if is_same && places.len() == 1 {
                 return Ok(Vec::new());
@@ -191,7 +191,7 @@ impl<'a> Rewriter<'a> {
     }
 
     /// The numbers of a place: those that stand there, where they say it.
-    fn told(&self, point: &Point, place: &Place) -> Vec<String> {
+    fn numbers(&self, point: &Point, place: &Place) -> Vec<String> {
         let frame = self.original.part_from_coordinates.inverse();
         let lengths = Lengths::of(self.original.unit);
         let from = if point.name == "GODLTA" { self.written.tip } else { None };
@@ -203,7 +203,7 @@ impl<'a> Rewriter<'a> {
         let mut told: Vec<String> = (0..3)
             .map(|at| match stands(at) {
                 Some(number) if lengths.are_alike(number * lengths.unit, wanted[at]) => point.told[at].to_owned(),
-                _ => lengths.told(wanted[at]),
+                _ => lengths.written(wanted[at]),
             })
             .collect();
         let axis = frame.rotation * place.pose.axis;

@@ -167,7 +167,7 @@ impl<'a> Rewriter<'a> {
             let told = match (column, axis_of(column, has_axis)) {
                 (Column::Tip(axis, unit), _) => {
                     let (lengths, wanted) = (Lengths::of_metres(unit), place.pose.tip[axis]);
-                    if lengths.are_alike(parsed(cell)? * unit, wanted) { None } else { Some(lengths.told(wanted)) }
+                    if lengths.are_alike(parsed(cell)? * unit, wanted) { None } else { Some(lengths.written(wanted)) }
                 }
                 (_, Some(axis)) if !keeps_axis => Some(number(place.pose.axis[axis], OF_AXIS)),
                 _ => None,

@@ -175,7 +175,7 @@ impl Asked {
             let [start, end] = self.radii(&both[of(how)].1);
             self.closing.holds(misses[of(how)], start.max(end))
         };
-        let told = |how: ArcCentres| {
+        let radii = |how: ArcCentres| {
             let radii = self.radii(&both[of(how)].1);
             format!("{:.4} mm at its beginning and {:.4} mm at its end", radii[0] * 1e3, radii[1] * 1e3)
         };
@@ -201,7 +201,7 @@ impl Asked {
                     how
                 }
                 [false, false] => {
-                    let (from, origin) = (told(ArcCentres::Incremental), told(ArcCentres::Absolute));
+                    let (from, origin) = (radii(ArcCentres::Incremental), radii(ArcCentres::Absolute));
                     let why = format!(
                         "the arc does not close: its radius is {from} where the centre counts from the beginning, and {origin} where it counts from the origin"
                     );
@@ -211,7 +211,7 @@ impl Asked {
         };
         let miss = misses[of(how)];
         if !holds(how) {
-            return Err(Wrong::new(word, format!("the arc does not close: its radius is {}", told(how))));
+            return Err(Wrong::new(word, format!("the arc does not close: its radius is {}", radii(how))));
         }
         reading.worst = reading.worst.max(miss);
         Ok(self.about(both[of(how)].1))

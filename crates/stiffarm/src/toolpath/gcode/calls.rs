@@ -273,7 +273,7 @@ impl Reader<'_> {
                 }
                 self.calls.depth -= 1;
             }
-            _ => return Err(Wrong::new(whole, Language::LinuxCnc.told())),
+            _ => return Err(Wrong::new(whole, Language::LinuxCnc.explained())),
         }
         Ok(())
     }

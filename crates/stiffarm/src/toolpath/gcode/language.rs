@@ -16,7 +16,7 @@ pub(in super::super) enum Language {
 
 impl Language {
     /// What it is, and what to choose.
-    pub(in super::super) const fn told(self) -> &'static str {
+    pub(in super::super) const fn explained(self) -> &'static str {
         match self {
             Self::HeidenhainConversational => {
                 "Heidenhain's conversational language, which is not read; choose a post of plain G-code (Fanuc) in the CAM program, or APT"

@@ -178,12 +178,11 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         let mut block = std::mem::replace(&mut self.block, Block::new());
-        let outcome =
-            match block.read(text) {
-                Ok(()) => self.take(&block, line),
-                Err(wrong) => Err(Language::of(text)
-                    .map_or(wrong, |language| Wrong::new(String::from_utf8_lossy(text), language.told()))),
-            };
+        let outcome = match block.read(text) {
+            Ok(()) => self.take(&block, line),
+            Err(wrong) => Err(Language::of(text)
+                .map_or(wrong, |language| Wrong::new(String::from_utf8_lossy(text), language.explained()))),
+        };
         self.block = block;
         outcome
     }

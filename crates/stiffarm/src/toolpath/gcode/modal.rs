@@ -189,7 +189,7 @@ impl Reader<'_> {
                 is_modelled = false;
             }
             Meaning::Inert if code == 150 && block.has(b'H') => {
-                return Err(Wrong::new("G15 H", Language::Okuma.told()));
+                return Err(Wrong::new("G15 H", Language::Okuma.explained()));
             }
             Meaning::InertAlone(why) if block.has_any(PLACE) => return Err(Wrong::new(name(), why)),
             Meaning::Inert | Meaning::InertAlone(_) => is_modelled = false,

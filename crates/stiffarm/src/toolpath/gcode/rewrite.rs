@@ -154,7 +154,7 @@ impl<'a> Rewriter<'a> {
                 None => lengths.are_alike(self.written.machine.tip[axis], pose.tip[axis]),
             };
             if !is_said {
-                edit.set(letter, lengths.told(wanted));
+                edit.set(letter, lengths.written(wanted));
             }
         }
         self.write(edit.bytes(), line)
@@ -331,7 +331,7 @@ impl<'a> Rewriter<'a> {
                 None => lengths.are_alike(self.written.machine.tip[axis], place.pose.tip[axis]),
             };
             if !is_said {
-                edit.set(letter, lengths.told(wanted));
+                edit.set(letter, lengths.written(wanted));
             }
         }
         let is_straight = one.is_some_and(|one| one.course == Course::Line);
@@ -363,7 +363,7 @@ impl<'a> Rewriter<'a> {
         let mut words = Vec::new();
         for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
             if !lengths.are_alike(self.written.machine.tip[axis], place.pose.tip[axis]) {
-                words.push(format!("{letter}{}", lengths.told(self.counted(place, axis))));
+                words.push(format!("{letter}{}", lengths.written(self.counted(place, axis))));
             }
         }
         if self.has_vectors && SAME_AXIS < between(&self.standing(), &place.pose) {

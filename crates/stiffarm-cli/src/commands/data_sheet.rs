@@ -9,7 +9,7 @@ use stiffarm::limits::{Limits, Pendant, ThirdAxis, Verified};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
-use stiffarm_ask::answer::robot::{lengths, rounded, sheet};
+use stiffarm_ask::answer::robot::{data_sheet, lengths, rounded};
 use stiffarm_ask::answer::words::{architecture, assumed_architecture, class, status};
 use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
 use stiffarm_ask::ask::AskError;
@@ -19,20 +19,20 @@ use stiffarm_ask::forms::{Answer, Forms, Makes, Picture, Piece};
 use stiffarm_ask::figures::FigureSize;
 use stiffarm_ask::figures::reach::ReachFigure;
 
-pub(crate) struct Sheet(pub(super) Robot, pub(super) FigureSize);
+pub(crate) struct DataSheet(pub(super) Robot, pub(super) FigureSize);
 
 /// `-40.0 to 160.0`, in degrees.
 fn degrees(range: Interval) -> String {
     if range.is_all() {
         "no limit".into()
     } else {
-        format!("{:.1} to {:.1} deg", Unit::Degree.told(range.min()), Unit::Degree.told(range.max()))
+        format!("{:.1} to {:.1} deg", Unit::Degree.of_si(range.min()), Unit::Degree.of_si(range.max()))
     }
 }
 
 type Lines = Vec<(String, String)>;
 
-impl Sheet {
+impl DataSheet {
     fn lines(&self) -> Lines {
         let robot = &self.0;
         let mut rows: Lines = vec![
@@ -43,7 +43,7 @@ impl Sheet {
             ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
         ];
         rows.extend(robot.mass_kg.map(|kg| ("mass".into(), format!("{kg} kg"))));
-        let repeatability = robot.repeatability.map(|m| format!("{} mm", rounded(Unit::Millimetre.told(m))));
+        let repeatability = robot.repeatability.map(|m| format!("{} mm", rounded(Unit::Millimetre.of_si(m))));
         rows.extend(repeatability.map(|text| ("repeatability".into(), text)));
         if let Arm::SixAxis { geometry, limits, drives } = &robot.arm {
             rows.extend(geometry_rows(geometry));
@@ -97,14 +97,14 @@ fn radii(robot: &Robot) -> String {
     let (body, is_estimated) = robot.thickness();
     let names = ["column", "upper arm", "forearm", "wrist"];
     let radii = names.iter().zip(<[f64; 4]>::from(body));
-    let told: Vec<String> = radii.map(|(name, m)| format!("{name} {:.0}", Unit::Millimetre.told(m))).collect();
+    let told: Vec<String> = radii.map(|(name, m)| format!("{name} {:.0}", Unit::Millimetre.of_si(m))).collect();
     format!("{} mm{}", told.join(", "), if is_estimated { " (estimated)" } else { "" })
 }
 
 fn geometry_rows(geometry: &Geometry) -> Lines {
     let lengths: Vec<String> =
-        lengths(geometry).iter().map(|(name, m)| format!("{name} {}", rounded(Unit::Millimetre.told(*m)))).collect();
-    let offsets: Vec<String> = geometry.offset.iter().map(|x| rounded(Unit::Degree.told(*x)).to_string()).collect();
+        lengths(geometry).iter().map(|(name, m)| format!("{name} {}", rounded(Unit::Millimetre.of_si(*m)))).collect();
+    let offsets: Vec<String> = geometry.offset.iter().map(|x| rounded(Unit::Degree.of_si(*x)).to_string()).collect();
     let signs: Vec<&str> = geometry.sign.iter().map(|&sign| if 0.0 < sign { "+" } else { "-" }).collect();
     vec![
         ("lengths".into(), format!("{} mm", lengths.join(", "))),
@@ -118,7 +118,7 @@ fn limit_rows(limits: &Limits) -> Lines {
     for (i, range) in limits.joints.iter().enumerate() {
         let speed = limits
             .speeds
-            .map_or_else(String::new, |speeds| format!(", {} deg/s", rounded(Unit::Degree.told(speeds[i]))));
+            .map_or_else(String::new, |speeds| format!(", {} deg/s", rounded(Unit::Degree.of_si(speeds[i]))));
         let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
         let remark = if forearm { " (absolute angle of the forearm)" } else { "" };
         rows.push((format!("joint {} as reported", i + 1), degrees(*range) + &speed + remark));
@@ -137,7 +137,7 @@ fn pendant(pendant: &Pendant) -> String {
         Pendant::AsFile => "shows the joints as they are counted here".into(),
         Pendant::Verified(Verified { rows, date, largest }) => format!(
             "shows the joints as they are counted here: {rows} readings of {date} agree within {} mm",
-            rounded(Unit::Millimetre.told(*largest))
+            rounded(Unit::Millimetre.of_si(*largest))
         ),
         Pendant::Given => "said to show the joints as they are counted here".into(),
     }
@@ -152,10 +152,11 @@ fn drive_rows(drives: &Drives, architecture: Architecture) -> Lines {
         }
     }
     if let Some(spring) = drives.compensator {
-        let point =
-            |[x, z]: [f64; 2]| format!("{}, {}", rounded(Unit::Millimetre.told(x)), rounded(Unit::Millimetre.told(z)));
+        let point = |[x, z]: [f64; 2]| {
+            format!("{}, {}", rounded(Unit::Millimetre.of_si(x)), rounded(Unit::Millimetre.of_si(z)))
+        };
         let [base, arm] = [spring.base, spring.arm].map(point);
-        let (stiffness, free) = (rounded(spring.stiffness / 1e3), rounded(Unit::Millimetre.told(spring.free_length)));
+        let (stiffness, free) = (rounded(spring.stiffness / 1e3), rounded(Unit::Millimetre.of_si(spring.free_length)));
         rows.push((
             "gravity compensator".into(),
             format!("{stiffness} N/mm, {free} mm when free, from {base} mm on the base to {arm} mm on the upper arm"),
@@ -178,7 +179,7 @@ fn plane_rows(arm: &PlanarArm) -> Lines {
 pub(super) const FORMS: Forms =
     Forms { command: "robots show", makes: &[Makes::Picture(Picture::Figure), Makes::RobotFile] };
 
-impl Answer for Sheet {
+impl Answer for DataSheet {
     fn forms(&self) -> Forms {
         FORMS
     }
@@ -195,7 +196,7 @@ impl Answer for Sheet {
     }
 
     fn value(&self) -> Value {
-        sheet(&self.0)
+        data_sheet(&self.0)
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -60,7 +60,7 @@ pub(super) enum Mark {
 }
 
 /// Pages, of which the last one is filled.
-pub(super) struct Sheet<'a> {
+pub(super) struct Page<'a> {
     pub faces: &'a Faces,
     pub pages: Vec<Vec<Mark>>,
     /// How far down the last page is filled.
@@ -69,7 +69,7 @@ pub(super) struct Sheet<'a> {
     pub headings: Vec<(String, usize, f32)>,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> Page<'a> {
     pub(super) fn new(faces: &'a Faces) -> Self {
         Self { faces, pages: vec![Vec::new()], y: TOP, headings: Vec::new() }
     }
