@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use stiffarm::place::Placed;
 
-#[path = "../tests/questions/mod.rs"]
+#[path = "../tests/witnesses/questions/mod.rs"]
 mod questions;
 
 use questions::random_question;

@@ -50,7 +50,7 @@ fn neighbour(seed: &[u8], rng: &mut Rng) -> Vec<u8> {
 
 /// Every seed of a target, and its neighbours, the same at every run.
 fn replay(target: &str, holds: fn(&[u8])) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds").join(target);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../fuzz/seeds").join(target);
     let mut seeds: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     seeds.sort();
     assert!(!seeds.is_empty(), "no seeds in {}", folder.display());

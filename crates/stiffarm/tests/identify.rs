@@ -19,7 +19,7 @@ use stiffarm::watch::Watch;
 
 use crate::made::{self, Made, Spot};
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../..");
 const TRUTH: [f64; 6] = [0.5e-6, 0.3e-6, 0.6e-6, 2.5e-6, 3.5e-6, 4.0e-6];
 
 fn fanuc() -> (Robot, Measurements) {

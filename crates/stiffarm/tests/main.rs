@@ -9,10 +9,6 @@ mod bad_measurements;
 mod bodies;
 mod calibrate;
 mod chain;
-mod chatter;
-mod chatter_measured;
-mod chatter_path;
-mod chatter_verdict;
 mod directional;
 mod feeds;
 mod found_apt;
@@ -27,29 +23,17 @@ mod linuxcnc;
 mod made;
 mod margins;
 mod measure;
-mod modes;
 mod narrow_limits;
 mod not_of_the_plane;
 mod odd_questions;
 mod other_programs;
 mod part;
-mod placement_brute_force;
 mod programs;
-mod properties;
 mod published_numbers;
-mod questions;
-mod rewritten;
 mod robot_conventions;
-mod round_trips;
 mod spatial;
-mod spatial_placement_brute_force;
 mod study;
 mod toolpath_files;
 mod true_arm;
 mod verify;
 mod written;
-
-/// How many cases brute force tries: as many as usual, or `STIFFARM_CASES` times that.
-pub(crate) fn cases(usual: u64) -> u64 {
-    usual * std::env::var("STIFFARM_CASES").map_or(1, |times| times.parse().expect("how many times the usual cases"))
-}

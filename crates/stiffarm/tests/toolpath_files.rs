@@ -8,7 +8,7 @@ use stiffarm::toolpath::{
     Rotary, Steps, Survey, Understood, read, samples,
 };
 
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/paths");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/paths");
 
 /// Everything that is told of a text, in one place.
 struct Told {

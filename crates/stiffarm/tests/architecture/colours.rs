@@ -45,7 +45,7 @@ fn without_named(style: &str) -> String {
 #[test]
 fn no_colour_stands_outside_the_palette() {
     let mut files = Vec::new();
-    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), &mut files);
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."), &mut files);
     let is_palette = |file: &&PathBuf| file.ends_with("stiffarm/src/palette.rs");
     assert_eq!(files.iter().filter(is_palette).count(), 1);
     let told = |file: &PathBuf| {

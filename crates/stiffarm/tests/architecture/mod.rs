@@ -27,7 +27,7 @@ const REPORTED: &str = "an answer makes its report, and a report is made of its 
 
 /// The library, and what is asked of it and answered: the second uses the first, so their modules have one order.
 const CRATES: [&str; 2] =
-    [concat!(env!("CARGO_MANIFEST_DIR"), "/src"), concat!(env!("CARGO_MANIFEST_DIR"), "/../stiffarm-ask/src")];
+    [concat!(env!("CARGO_MANIFEST_DIR"), "/../src"), concat!(env!("CARGO_MANIFEST_DIR"), "/../../stiffarm-ask/src")];
 
 /// All sources of both crates by their module's path, `""` for the roots.
 struct Sources {
@@ -136,7 +136,7 @@ fn reading_order() -> Vec<String> {
 
 /// The modules in the order of the table in ARCHITECTURE.md: what stands in its first column.
 fn mapped_order() -> Vec<String> {
-    let map = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../ARCHITECTURE.md")).unwrap();
+    let map = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../ARCHITECTURE.md")).unwrap();
     let (_, table) = map.split_once("in reading order\n").expect("a table of modules in ARCHITECTURE.md");
     let rows = table.split("\n## ").next().unwrap_or_default().lines().filter(|line| line.starts_with("| `"));
     named(&rows.map(|row| row.split('|').nth(1).unwrap_or_default()).collect::<String>())

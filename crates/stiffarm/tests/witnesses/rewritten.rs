@@ -9,7 +9,7 @@ use stiffarm::toolpath::{
     Rewritten, Rotary, Sample, Steps, ToolPose, read, rewrite, samples,
 };
 
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/paths");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../paths");
 
 /// 0.01 mm of chord, 1 um between samples, and what rounding to 0.1 um in three axes adds.
 const KEEPS: f64 = 1e-5 + 1e-6 + 2e-7;

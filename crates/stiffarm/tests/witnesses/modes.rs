@@ -122,7 +122,7 @@ fn the_kr_210_of_the_catalogue_swings_as_its_published_masses_say() {
 /// 75 postures of 25 robots with tools, as the mass matrix of Pinocchio and the eigenvalues of `SciPy` have them (`scripts/swinging.py`).
 #[test]
 fn postures_of_every_serial_robot_with_masses_swing_as_two_other_programs_say() {
-    let text = include_str!("../../../validation/modes_cases.csv");
+    let text = include_str!("../../../../validation/modes_cases.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let columns = reader.headers().unwrap().clone();
     let mut count = 0;

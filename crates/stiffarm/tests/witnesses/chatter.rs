@@ -238,23 +238,26 @@ pub(crate) fn swings_first_at(
     (highest, steps): (f64, u32),
 ) {
     let one = Complex::new(1.0, 0.0);
-    let determinant = |w: f64, depth: f64| {
-        let whole = gain(w) * ((one - Complex::from_polar(1.0, -w * period)) * depth);
-        (one - whole[(0, 0)]) * (one - whole[(1, 1)]) - whole[(0, 1)] * whole[(1, 0)]
+    // Of each of some depths.
+    let determinants = |w: f64, depths: [f64; 2]| {
+        let whole = gain(w) * (one - Complex::from_polar(1.0, -w * period));
+        let [a, b, c, d] = [(0, 0), (1, 1), (0, 1), (1, 0)].map(|at| whole[at]);
+        depths.map(|depth| (one - a * depth) * (one - b * depth) - c * d * depth * depth)
     };
-    let at_edge = determinant(TAU * edge.frequency, edge.depth).norm();
+    let at_edge = determinants(TAU * edge.frequency, [edge.depth; 2])[0].norm();
     assert!(at_edge < 1e-6, "{edge:?}: {at_edge}");
-    let turns = |depth: f64| {
-        let (mut turned, mut last) = (0.0, determinant(0.0, depth));
-        for i in 1..=steps {
-            let now = determinant(TAU * highest * f64::from(i) / f64::from(steps), depth);
-            turned += (now * last.conj()).arg();
-            last = now;
+    let depths = [0.999 * edge.depth, 1.001 * edge.depth];
+    let (mut turned, mut last) = ([0.0; 2], determinants(0.0, depths));
+    for i in 1..=steps {
+        let now = determinants(TAU * highest * f64::from(i) / f64::from(steps), depths);
+        for (turned, (now, last)) in turned.iter_mut().zip(now.iter().zip(last)) {
+            *turned += (now * last.conj()).arg();
         }
-        (turned / PI).round()
-    };
-    assert_eq!(turns(0.999 * edge.depth), 0.0, "{edge:?}");
-    assert_ne!(turns(1.001 * edge.depth), 0.0, "{edge:?}");
+        last = now;
+    }
+    let [below, above] = turned.map(|angle| (angle / PI).round());
+    assert_eq!(below, 0.0, "{edge:?}");
+    assert_ne!(above, 0.0, "{edge:?}");
 }
 
 /// `det(I - a (1 - e^(-i w T)) A0 G(w)) = 0` on a fine grid of frequencies, with the receptance of the arm itself.
