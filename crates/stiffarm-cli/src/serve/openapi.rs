@@ -247,7 +247,7 @@ fn answer() -> Value {
         "schema".into(),
         json!({ "type": "object", "description": "Version of the keys, and what positions count from." }),
     );
-    for field in field::ALL {
+    for field in field::all() {
         let mut told = holds(field.kind);
         told["description"] = field.about.into();
         match keys.get_mut(field.key) {

@@ -178,7 +178,7 @@ fn keys_file([from, to]: [char; 2]) -> String {
 /// Keys of answers whose first letter is in a range; one key may stand in answers of several verbs with a meaning each.
 fn of_keys(letters: [char; 2]) -> String {
     let [from, to] = letters;
-    let mut fields: Vec<&Field> = field::ALL.iter().filter(|field| (from..=to).contains(&first(field))).collect();
+    let mut fields: Vec<&Field> = field::all().filter(|field| (from..=to).contains(&first(field))).collect();
     fields.sort_by_key(|field| field.key);
     let question = "What stands under a key of JSON, CSV, Parquet, a data frame or a Python object? Null is written where a key does not \
                     apply. Every position counts from the robot's base: x forward, y left, z up.";
@@ -314,5 +314,5 @@ fn the_reference_is_what_the_tables_say() {
     for name in others {
         assert!(pages.contains_key(&name) || BY_HAND.contains(&name.as_str()), "{FOLDER}/{name}: nobody writes it");
     }
-    assert!(field::ALL.iter().all(|field| first(field).is_ascii_lowercase()), "a key that no page has");
+    assert!(field::all().all(|field| first(field).is_ascii_lowercase()), "a key that no page has");
 }

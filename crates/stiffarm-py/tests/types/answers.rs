@@ -93,7 +93,7 @@ impl Seen {
             Kind::Numbers { .. } => self.items.as_ref().is_some_and(|items| items.fields.is_none()),
             Kind::Nested => self.objects().is_some() || self.items.is_some(),
         };
-        let candidates: Vec<&Field> = field::ALL.iter().filter(|field| field.key == key).collect();
+        let candidates: Vec<&Field> = field::all().filter(|field| field.key == key).collect();
         candidates.iter().find(fits).or(candidates.first()).copied()
     }
 }

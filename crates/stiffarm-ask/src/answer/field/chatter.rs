@@ -1,0 +1,36 @@
+//! What can be told of how a cut swings.
+
+use super::kinds::{Kind, Unit, fields};
+
+fields! {
+    CUT_DEPTH: "cut_depth_mm", Kind::Number(Unit::Millimetre), "Axial depth of the cut, as the process has it.";
+    CRITICAL_DEPTH: "critical_depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings with the robot at the speed of the spindle; null where none up to 300 mm does.";
+    CRITICAL_DEPTH_P05: "critical_depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of drive stiffness and damping; null beyond 300 mm.";
+    CRITICAL_DEPTH_P95: "critical_depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile; null beyond 300 mm.";
+    CHATTER_FREQUENCY: "chatter_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
+    TOOTH_PHASE: "tooth_phase_rad", Kind::Number(Unit::Given("rad")), "By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives.";
+    ANY_SPEED_DEPTH: "any_speed_depth_mm", Kind::Number(Unit::Millimetre), "Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does.";
+    ANY_SPEED_DEPTH_P05: "any_speed_depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over the same draws.";
+    ANY_SPEED_DEPTH_P95: "any_speed_depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
+    ANY_SPEED_FREQUENCY: "any_speed_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
+    OTHER_WAY_DEPTH: "other_way_depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at the speed of the spindle where the cut is fed the other way, up for down; null where none up to 300 mm does.";
+    OTHER_WAY_FREQUENCY: "other_way_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
+    CALM_SPEEDS: "calm_rpm", Kind::Nested, "Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's.";
+    PAN_DEPTH: "pan_depth_mm", Kind::Number(Unit::Millimetre), "The least depth at which modes couple without the delay (Pan); beside the others, never instead of them.";
+    PAN_FREQUENCY: "pan_hz", Kind::Number(Unit::Given("hz")), "Its frequency; 0 where the arm gives way.";
+    MODES_LOOKED_AT: "modes_looked_at", Kind::Nested, "Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured. Nothing is told above the last of these and of what was measured.";
+    ROBOT_MODES: "robot_modes", Kind::Text, "Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a cut of which anything is known.";
+    SPINDLE_MODES: "spindle_modes", Kind::Text, "unknown where nothing was measured at the tip, else measured; those of the work are never looked at.";
+    FRF: "frf", Kind::Text, "The table of what was measured at the tip; null where there is none.";
+    FRF_ON: "frf_on", Kind::Text, "What held the tip while it was measured: rigid (spindle, holder and cutter alone) or robot (it takes the place of the model); null without a table.";
+    MEASURED_MODES: "measured_modes", Kind::Nested, "Frequencies of the modes of the table, Hz; null without a table of modes.";
+    MEASURED_BETWEEN: "measured_between", Kind::Nested, "From where to where the table tells frequency by frequency, Hz; null without one.";
+    CHATTER_VERDICT: "verdict", Kind::Text, "What is told of robot modes and of what was measured at the tip, in words.";
+    CHATTER_METHOD: "method", Kind::Text, "How teeth are counted: mean (over a revolution) or teeth (one by one).";
+    CHATTER_DRAWN: "drawn", Kind::Nested, "What the intervals are over: drives, damping, both or neither.";
+    DEPTH_RESERVE: "depth_reserve", Kind::Number(Unit::One), "The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up to 300 mm does.";
+    LOBES: "lobes", Kind::Nested, "By the speed of the spindle: the least depth that swings.";
+    LOBE_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at a speed; null where none up to 300 mm does.";
+    LOBE_DEPTH_P05: "depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of drive stiffness and damping; null beyond 300 mm, and where teeth are counted one by one.";
+    LOBE_DEPTH_P95: "depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
+}

@@ -1,0 +1,20 @@
+//! What can be told of planned measurements.
+
+use super::kinds::{Kind, Unit, fields};
+
+fields! {
+    RUNS: "runs", Kind::Nested, "One entry per run, in the order in which they are made.";
+    RUN: "run", Kind::Count, "Its number, from 1.";
+    OF_LOAD: "load", Kind::Text, "In which direction is loaded.";
+    EXPECTED: "expected_mm", Kind::Number(Unit::Millimetre), "How far the marker is expected to move.";
+    CRITERION: "criterion", Kind::Text, "What a plan is judged by.";
+    CRITERION_VALUE: "value", Kind::Number(Unit::One), "By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in parts of the compliances.";
+    CRITERION_BOUND: "lower_bound", Kind::Number(Unit::One), "No plan of so many runs of the candidates has less.";
+    EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best.";
+    RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";
+    CANDIDATES: "candidates", Kind::Count, "Among so many was chosen.";
+    UNSEEN: "unseen_drives", Kind::Nested, "Drives that no candidate shows.";
+    UNSEEN_SHARE: "unseen_share", Kind::Number(Unit::One), "What part of the variance of the prediction is the prior of these drives.";
+    ADVISED_LOADS: "advised_loads", Kind::Nested, "Directions of loads that show them, where some do.";
+    COMPARED: "compared", Kind::Nested, "What the table that was given is worth.";
+}

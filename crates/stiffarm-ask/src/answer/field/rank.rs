@@ -1,0 +1,31 @@
+//! What can be told of several robots or setups.
+
+use super::kinds::{Kind, Unit, fields};
+
+fields! {
+    RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
+    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be distinguished from it by the proof, at the nominal stiffness.";
+    TASK_RANK: "task_rank", Kind::Count, "The same for this task alone.";
+    TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be distinguished from it by the proof in this task.";
+    PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
+    BOUND: "bound_mm", Kind::Number(Unit::Millimetre), "Deflection at the stiffest posture of the links.";
+    MEAN_RATIO: "mean_ratio", Kind::Number(Unit::One), "How much worse than the best of each task, geometric mean.";
+    MEAN_RATIO_BOUND: "mean_ratio_bound", Kind::Number(Unit::One), "The same of the proved lower bounds.";
+    TASKS: "tasks", Kind::Nested, "The tasks as they were asked for.";
+    CELLS: "cells", Kind::Nested, "One placement per task.";
+    ROWS: "rows", Kind::Nested, "One entry per row.";
+    WINNERS: "winners", Kind::Nested, "Who is best at each task.";
+    BEST: "best", Kind::Text, "The best robot whose geometry and limits are published.";
+    BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
+    BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
+    BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
+    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good, at the nominal stiffness.";
+    RIVALS: "rivals", Kind::Nested, "Robots of published geometry that may be as good as the best.";
+    SETUP: "setup", Kind::Text, "a or b, of two that are compared.";
+    SETUP_A: "a", Kind::Nested, "The first setup, as place tells it.";
+    SETUP_B: "b", Kind::Nested, "The second setup.";
+    SETUP_RATIO: "ratio", Kind::Number(Unit::One), "The deflection of the second over that of the first; null where one has no place.";
+    BETTER_SETUP: "better", Kind::Text, "Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be distinguished.";
+    DIFFERENT: "differ_in", Kind::Nested, "What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance, place.";
+    SUMMARY: "summary", Kind::Nested, "What a manager would read.";
+}

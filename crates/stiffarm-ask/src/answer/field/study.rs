@@ -1,0 +1,18 @@
+//! What can be told of architectures.
+
+use super::kinds::{Kind, Unit, fields};
+
+fields! {
+    SIZE: "d", Kind::Number(Unit::One), "The size over l2 + l3.";
+    MU: "mu_l3_over_l2", Kind::Number(Unit::One), "The link ratio; null where every contender has its best.";
+    IS_BEST: "best", Kind::Truth, "The link ratio is the best.";
+    K2: "k2", Kind::Number(Unit::One), "Compliance of drive 2 over the reference.";
+    K3: "k3", Kind::Number(Unit::One), "Compliance of drive 3 over the reference.";
+    ACCURACY: "accuracy", Kind::Number(Unit::One), "The worst deflection over k F (l2 + l3)^2; null where the zone does not fit.";
+    MARK: "mark", Kind::Nested, "Where the robot with its task stands among what was studied.";
+    ACCURACIES: "accuracies", Kind::Nested, "What either contender would have there; null where the task does not fit.";
+    STIFFER: "stiffer", Kind::Text, "The contender that has less.";
+    BOUNDARIES: "boundaries", Kind::Nested, "Sizes at which the better architecture changes.";
+    BETTER_BELOW: "better_below", Kind::Text, "The better contender for smaller tasks.";
+    BETTER_ABOVE: "better_above", Kind::Text, "The better contender for larger tasks.";
+}
