@@ -18,6 +18,8 @@ mod robots;
 mod study;
 mod verify;
 
+use crate::request::Verb;
+
 pub use calibrate::*;
 pub use chatter::*;
 pub use compliance::*;
@@ -35,6 +37,27 @@ pub use rank::*;
 pub use robots::*;
 pub use study::*;
 pub use verify::*;
+
+/// Those that only the answer of a verb has, or that mean something else in others; then those of what it rests on.
+pub fn of(verb: Verb) -> impl Iterator<Item = &'static Field> {
+    let lists: &[&[Field]] = match verb {
+        Verb::Rank | Verb::Compare => &[rank::FIELDS, place::FIELDS],
+        Verb::Place => &[place::FIELDS],
+        Verb::Map => &[map::FIELDS, place::FIELDS],
+        Verb::Compliance => &[compliance::FIELDS],
+        Verb::Modes => &[modes::FIELDS],
+        Verb::Chatter => &[chatter::FIELDS, modes::FIELDS],
+        Verb::Study => &[study::FIELDS],
+        Verb::Identify => &[identify::FIELDS],
+        Verb::Measure => &[measure::FIELDS, calibrate::FIELDS],
+        Verb::Calibrate => &[calibrate::FIELDS],
+        Verb::Verify => &[verify::FIELDS],
+        Verb::Mill => &[mill::FIELDS, path::FIELDS, force::FIELDS, place::FIELDS, chatter::FIELDS],
+        Verb::Force => &[force::FIELDS],
+        Verb::List => &[load::FIELDS, robots::FIELDS],
+    };
+    lists.iter().copied().flatten()
+}
 
 /// All of them.
 pub fn all() -> impl Iterator<Item = &'static Field> {

@@ -2,6 +2,7 @@
 
 mod cut;
 mod documents;
+mod keys;
 mod reference;
 pub(crate) mod shown;
 

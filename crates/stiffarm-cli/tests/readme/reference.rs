@@ -10,7 +10,7 @@ use assert_cmd::Command;
 use stiffarm_ask::answer::field::{self, Field, Kind as Holds, Unit};
 use stiffarm_ask::request::{Absent, Kind, Of, Setting, Verb};
 
-use super::ROOT;
+use super::{ROOT, keys};
 use crate::serve::served::Served;
 
 pub(crate) const FOLDER: &str = "docs/guide/reference";
@@ -27,12 +27,12 @@ fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('<', "&lt;").replace('\n', " ")
 }
 
-fn row(text: &mut String, cells: &[&str]) {
+pub(super) fn row(text: &mut String, cells: &[&str]) {
     let cells: Vec<String> = cells.iter().map(|text| cell(text)).collect();
     let _ = writeln!(text, "| {} |", cells.join(" | "));
 }
 
-fn head(text: &mut String, cells: &[&str]) {
+pub(super) fn head(text: &mut String, cells: &[&str]) {
     row(text, cells);
     let _ = writeln!(text, "|{}", "---|".repeat(cells.len()));
 }
@@ -140,11 +140,12 @@ fn of_verb(verb: Verb) -> String {
     }
     let examples = help.split_once("Examples:\n").map_or("", |(_, examples)| examples);
     let _ = writeln!(text, "\n## Examples\n\n```text\n{}\n```", examples.trim_end());
+    text.push_str(&keys::of_verb(verb));
     text
 }
 
 /// A unit as its key ends, in words that people write.
-fn unit(field: &Field) -> String {
+pub(super) fn unit(field: &Field) -> String {
     match field.kind {
         Holds::Text => "text".into(),
         Holds::Truth => "yes or no".into(),
@@ -159,12 +160,13 @@ fn unit(field: &Field) -> String {
             Unit::Newton => "N",
             Unit::MicrometrePerNewton => "um/N",
             Unit::MicroradianPerNewtonMetre => "urad/(N m)",
-            Unit::NewtonMetrePerRadian => "N m/rad",
+            Unit::NewtonMetrePerRadian | Unit::Given("nm_per_rad") => "N m/rad",
             Unit::Kilogram => "kg",
-            Unit::NewtonMetre => "N m",
+            Unit::NewtonMetre | Unit::Given("nm") => "N m",
             Unit::Second => "s",
             Unit::Watt => "W",
             Unit::MillimetrePerMinute => "mm/min",
+            Unit::Given("hz") => "Hz",
             Unit::Given(unit) => unit,
         }
         .into(),

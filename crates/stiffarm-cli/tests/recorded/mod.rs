@@ -110,7 +110,7 @@ fn difference(at: &str, new: &Value, old: &Value) -> Option<String> {
 }
 
 /// What was recorded of a question, by its lines.
-fn told_apart(block: &str) -> (String, Option<Value>) {
+fn parts(block: &str) -> (String, Option<Value>) {
     let (json, lines): (Vec<&str>, Vec<&str>) = block.lines().partition(|line| line.starts_with("json| "));
     let json = json.first().map(|line| serde_json::from_str(&line["json| ".len()..]).expect("recorded JSON"));
     (lines.join("\n"), json)
@@ -130,6 +130,14 @@ fn answers() -> BTreeMap<String, String> {
         }
     }
     answers
+}
+
+/// What was recorded of the questions of a verb, as JSON.
+pub(crate) fn recorded_json(verb: &str) -> Vec<Value> {
+    let of_verb = answers()
+        .into_iter()
+        .filter(|(question, _)| question.strip_prefix(verb).is_some_and(|rest| rest.starts_with(' ')));
+    of_verb.filter_map(|(_, answer)| parts(&answer).1).collect()
 }
 
 #[test]
@@ -156,7 +164,7 @@ fn every_recorded_question_has_its_answer() {
             continue;
         };
         let new = reply.recorded(question);
-        let ((words, json), (old_words, old_json)) = (told_apart(new.split_once('\n').unwrap().1), told_apart(old));
+        let ((words, json), (old_words, old_json)) = (parts(new.split_once('\n').unwrap().1), parts(old));
         if words != old_words {
             others.push(format!("{question}:\n{words}\nrecorded:\n{old_words}"));
         }
