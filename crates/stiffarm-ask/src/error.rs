@@ -255,6 +255,8 @@ impl AskError {
             Self::Usage(_) | Self::Request(_) | Self::Pattern { .. } | Self::OntoInput(_) | Self::AmongRobots(_) => {
                 true
             }
+            // A path built in is part of the question.
+            Self::Path(error) | Self::Mill(MillAnswerError::Path(error)) => matches!(error, PathFault::Notation { .. }),
             Self::Place { error, .. } | Self::Rank(RankError { error, .. }) => error.is_of_the_question(),
             _ => false,
         }

@@ -91,6 +91,10 @@ impl Request {
         for pair in pairs {
             let setting = setting_of(verb, pair)?;
             let (texts, values) = read_values(setting, pair)?;
+            // What is switched off is as if it were not there.
+            if values == [Value::Truth(false)] {
+                continue;
+            }
             match given.iter_mut().find(|known| known.setting.name == setting.name) {
                 None => given.push(Given { setting, at: pair.at.clone(), texts, values }),
                 Some(known) if setting.is_list() => {

@@ -68,6 +68,14 @@ fn a_cone_goes_with_a_direction_whatever_the_size_of_the_force() {
 }
 
 #[test]
+fn what_is_switched_off_is_as_if_it_were_not_there() {
+    let off = asked(Verb::Place, &[("allow-contact", "false")]).expect("it needs nothing");
+    assert!(!off.is_given("allow-contact"));
+    let on = asked(Verb::Place, &[("allow-contact", "true")]).expect_err("nothing is kept free").to_string();
+    assert!(on.starts_with("--allow-contact needs "), "{on}");
+}
+
+#[test]
 fn every_row_has_a_name_of_its_own_and_refers_to_rows_that_are_there() {
     for verb in Verb::ALL {
         let names: Vec<&str> = verb.settings().map(|setting| setting.name).collect();

@@ -114,7 +114,7 @@ fn what_is_refused_names_line_and_word_and_gives_advice() {
         (&["mill", "e.nc", "--dry"], 1, "error: e.nc: nothing in it moves the tool"),
         (&["mill", "f.nc", "--dry"], 1, "error: cannot read f.nc"),
         (&["mill", ".", "--read-as", "gcode", "--dry"], 1, "it is a folder"),
-        (&["mill", "line:-1", "--dry"], 1, "error: path 'line:-1' is not understood"),
+        (&["mill", "line:-1", "--dry"], 2, "error: path 'line:-1' is not understood"),
         (&["mill", "--dry"], 2, "<PATH> is missing"),
         // What is said where a file is silent, of files that are not silent of it.
         (&["mill", "line:0.2", "--dry", "--columns", "x_mm"], 2, "--columns says nothing of a path built in"),

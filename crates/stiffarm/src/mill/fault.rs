@@ -2,12 +2,8 @@
 
 use crate::chatter::ChatterError;
 use crate::compliance::PostureError;
+use crate::toolpath::of_line;
 use crate::watch::Stopped;
-
-/// Of the file, before what is wrong there; nothing of a path built in.
-pub(super) fn of_line(line: usize) -> String {
-    if line == 0 { String::new() } else { format!("line {line}: ") }
-}
 
 /// A question that makes no sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -5,11 +5,10 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::fault::of_line;
 use super::stations::{Acting, Station, StationCut, cut, cutting_axes};
 use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
 use crate::stock::{Engaged, Stock, StockError};
-use crate::toolpath::{Given, Move, Sample, Steps};
+use crate::toolpath::{Given, Move, Sample, Steps, of_line};
 use crate::watch::{Stopped, Watch};
 
 /// What was typed of the ends of a measured force is rounded to this, m or s.

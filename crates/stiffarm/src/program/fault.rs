@@ -1,5 +1,7 @@
 //! Why is no program written, and of which line?
 
+use crate::toolpath::of_line;
+
 /// What a program cannot hold: the line of the path or the key, what was found, and what was expected.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ProgramFault {
@@ -37,7 +39,7 @@ pub enum ProgramFault {
         robot: String,
     },
     /// A tool that is not there.
-    #[error("line {line}: tool {tool} of {tools}; expected one of those of the setup, counted from 0")]
+    #[error("{}tool {tool} of {tools}; expected one of those of the setup, counted from 0", of_line(*line))]
     NoTool {
         /// Of the path.
         line: usize,
@@ -50,7 +52,7 @@ pub enum ProgramFault {
     #[error("a table or trajectory of joints does not stop where the tool is changed; expected the path of one tool")]
     Tools,
     /// A joint angle.
-    #[error("line {line}: joint {joint} at {} deg: expected a number of at most {most_deg} deg", angle.to_degrees())]
+    #[error("{}joint {joint} at {} deg: expected a number of at most {most_deg} deg", of_line(*line), angle.to_degrees())]
     Joint {
         /// Of the path.
         line: usize,
@@ -63,14 +65,18 @@ pub enum ProgramFault {
     },
     /// A cutting move without a feed rate.
     #[error(
-        "line {line}: no feed rate: expected one in the path (F, FEDRAT, a column feed_mm_per_min), or feed-mm-per-min for all of it"
+        "{}no feed rate: expected one in the path (F, FEDRAT, a column feed_mm_per_min), or feed-mm-per-min for all of it",
+        of_line(*line)
     )]
     NoFeed {
         /// Of the path.
         line: usize,
     },
     /// A feed rate that the language cannot say.
-    #[error("line {line}: a feed rate of {} mm/s: expected {} to {} mm/s for {language}", feed * 1e3, least * 1e3, most * 1e3)]
+    #[error(
+        "{}a feed rate of {} mm/s: expected {} to {} mm/s for {language}",
+        of_line(*line), feed * 1e3, least * 1e3, most * 1e3
+    )]
     Feed {
         /// Of the path.
         line: usize,

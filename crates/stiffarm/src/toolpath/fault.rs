@@ -86,6 +86,11 @@ impl Wrong {
     }
 }
 
+/// Of the file, before what is wrong there; nothing of a path built in.
+pub(crate) fn of_line(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
 /// A text from a file as it may stand in a message: short and on one line.
 pub(super) fn shown(text: &str) -> String {
     const MOST: usize = 60;

@@ -40,6 +40,7 @@ use std::io::BufRead;
 
 pub use builtin::Builtin;
 pub use fault::PathFault;
+pub(crate) use fault::of_line;
 pub use file::{ToolpathError, read_toolpath};
 pub use gathered::{Gathered, MOST_SAMPLES, TooManySamples};
 pub use moves::{Arc, Course, Given, Move, MoveKind, ToolPose};
