@@ -135,6 +135,21 @@ mod tests {
         assert_eq!(try_each(&[1, 2], |thing| Ok::<_, ()>(*thing)), Ok(vec![1, 2]));
     }
 
+    /// One thread asks in order.
+    #[test]
+    fn after_an_error_or_an_answer_that_is_enough_nothing_more_is_asked_about() {
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+        let asked = AtomicUsize::new(0);
+        let ask = |i: usize| {
+            asked.fetch_add(1, Ordering::Relaxed);
+            if i == 777 { Err(i) } else { Ok(i) }
+        };
+        assert_eq!(alone.install(|| try_each_of(5000, ask)), Err(777));
+        assert_eq!(asked.swap(0, Ordering::Relaxed), 778);
+        assert_eq!(alone.install(|| any_of(5000, |i| ask(i).err())), Some(777));
+        assert_eq!(asked.into_inner(), 778);
+    }
+
     #[test]
     fn what_is_given_away_is_taken_once() {
         let mut values = vec![0; 1001];

@@ -19,6 +19,7 @@ use crate::spatial::Pose;
 const TOGETHER: usize = 32;
 /// Rows that a thread takes at a time: fewer are done before another thread is awake. A multiple of [`TOGETHER`].
 const AT_A_TIME: usize = 128;
+const _: () = assert!(AT_A_TIME.is_multiple_of(TOGETHER), "sums would be others");
 
 /// What was seen at one posture.
 #[derive(Clone, Debug)]
