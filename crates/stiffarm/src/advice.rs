@@ -16,7 +16,7 @@ use crate::watch::Watch;
 pub const COMPENSATED: f64 = 0.8;
 /// Of a ranking so many robots get advice: the best of those that take a rank.
 pub const ADVISED: usize = 3;
-/// A zone is not searched for smaller than this part of the size that was asked for.
+/// No zone is tried that is smaller than this part of the size that was asked for.
 pub const SMALLEST: f64 = 0.02;
 
 /// What a placement says against a tolerance.
@@ -49,7 +49,7 @@ pub struct AtPlace {
     pub compensated: f64,
 }
 
-/// The largest zone of a shape that keeps a tolerance, as far as that was searched for.
+/// The largest zone of a shape that keeps a tolerance, as far as that was asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LargestZone {
     /// Its size as a part of the size that was asked for, and its deflection, m: it has a place that was found. `None` where the smallest that
@@ -188,7 +188,7 @@ fn effort(model: &Model, work: &Work) -> (f64, usize) {
     }
 }
 
-/// The largest zone is searched for for this.
+/// What the largest zone is placed with.
 struct ZoneSearch<'a> {
     model: &'a Model,
     work: &'a Work,

@@ -8,7 +8,7 @@ use stiffarm::advice::{Advice, AtPlace, COMPENSATED, LargestZone, SMALLEST};
 use stiffarm::load::Load;
 use stiffarm::task::Task;
 
-/// What was asked when advice was searched for.
+/// What was asked where advice is given.
 pub(super) type Asked<'a> = (&'a Task, Load);
 
 /// Every field; the same whatever was found.

@@ -29,7 +29,7 @@ pub struct RankAnswer {
     pub options: PlaceOptions,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
-    /// What that says of force, stiffness and size, for each row and task where it was searched for; empty where it was not.
+    /// What that says of force, stiffness and size, for each row and task for which advice was asked; empty where it was not.
     pub advice: Vec<Vec<Option<Advice>>>,
     /// How every row stands at every task, over draws of the stiffness of its drives.
     pub(super) chances: Vec<Vec<Option<Chances>>>,
@@ -38,7 +38,7 @@ pub struct RankAnswer {
 }
 
 impl RankAnswer {
-    /// Of a ranking, with what was asked, the acceptable deflection, mm, and what was searched for for it.
+    /// Of a ranking, with what was asked, the acceptable deflection, mm, and the advice on it.
     pub fn of(
         ranking: Ranking,
         options: PlaceOptions,

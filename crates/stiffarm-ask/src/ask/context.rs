@@ -41,7 +41,7 @@ pub struct Context<'a> {
     pub listener: &'a dyn Listener,
     /// Into how many samples a path may be cut.
     pub most_samples: usize,
-    /// Is it searched for what would keep a tolerance? It takes some placements more.
+    /// Is advice given on what would keep a tolerance? It takes some placements more.
     pub advises: bool,
 }
 

@@ -136,7 +136,7 @@ impl Request {
             }
         }
         if self.at().is_none() && !self.is_dry() {
-            let why = "is missing; expected where the part stands: its best place is not searched for for several tools at once, but with only-tool for each";
+            let why = "is missing; expected where the part stands: the best place is found of one tool at a time, with only-tool";
             return Err(self.refused(opt::AT, why.into()));
         }
         Ok(())
@@ -262,7 +262,7 @@ impl Request {
         let within = self.ahead();
         let margins = self.margins(within);
         let options = PlaceOptions { within, margins, ..PlaceOptions::under(Load::PAPER) };
-        // What a path keeps clear of decides how it is followed, not where it is searched for.
+        // What a path keeps clear of decides how it is followed, not where it is placed.
         let cell = CellOptions { clearance: None, ..self.cell(self.windows()) };
         let in_cell = cell.of(&options, true).map_err(|unsupported| self.unanswered(unsupported))?;
         let PlaceOptions { margins, within, cell, .. } = in_cell;

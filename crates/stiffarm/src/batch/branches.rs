@@ -10,7 +10,7 @@ use super::{Coupling, SameBranch, SpatialArm};
 use crate::inverse::{ArmBranch, Configuration, ELBOWS, Shoulder, Wrist};
 use crate::tolerances::{RIM, SINGULAR, SINGULAR_SQUARE};
 
-/// What is searched for of the configurations of poses, one pose a lane.
+/// Takes what it needs of the configurations of poses, one pose a lane.
 pub(super) trait Collector<S: Simd> {
     /// What all postures of one shoulder share.
     type Seen: Copy;
@@ -145,7 +145,7 @@ impl SpatialArm {
         collector.found
     }
 
-    /// Hands every configuration of a pose to what is searched for. Unless `ALL`, what is forbidden in every lane is left as soon as that is known.
+    /// Hands every configuration of a pose to a collector. Unless `ALL`, what is forbidden in every lane is left as soon as that is known.
     #[inline(always)]
     pub(super) fn branches<S: Simd, T: Collector<S>, const ALL: bool>(
         &self,
@@ -308,6 +308,6 @@ struct FlangeInArmAxes<S: Simd, T> {
     pub(super) wrist_to_tool: Triple<S>,
     x: Lanes<S>,
     z: Lanes<S>,
-    /// What all postures of this shoulder share of what is searched for.
+    /// What a collector needs once of all postures of this shoulder.
     seen: T,
 }

@@ -215,7 +215,7 @@ pub fn chatter(
     })
 }
 
-/// How modes are searched for.
+/// Finds the modes of an arm.
 type Modes = fn(&Robot, &[f64; 6], &HeldTool, Option<Damping>) -> Result<Swing, ModesError>;
 
 /// The arm, where the model of it counts, and the tool frame in the base frame.

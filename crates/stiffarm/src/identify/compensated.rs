@@ -15,7 +15,7 @@ pub(super) struct Compensated {
     second: Vec<usize>,
     /// What of the stiffness it adds is known, N m/rad.
     known: Vec<f64>,
-    /// Springs that are searched for of it, and what stiffness a unit of each adds.
+    /// Its springs that are unknown, and what stiffness a unit of each adds.
     unknowns: Vec<(usize, Vec<f64>)>,
 }
 

@@ -144,7 +144,7 @@ pub enum IdentifyError {
         /// Which robot.
         robot: String,
     },
-    /// A compensator is searched for that the robot file does not have.
+    /// The model has a compensator that the robot file does not have.
     #[error(
         "{0} has no gravity compensator in its robot file; give [compensator] base_mm, arm_mm, stiffness_n_per_mm and free_length_mm: the ends stay, \
          the spring is found"

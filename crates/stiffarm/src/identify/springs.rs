@@ -9,7 +9,7 @@ use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 
-/// A spring of which the compliance is searched for, rad/(N m), or that of a gravity compensator, of which the stiffness is.
+/// A spring of which the compliance is unknown, rad/(N m), or that of a gravity compensator, of which the stiffness is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spring {
     /// A drive, counted from 0.
@@ -43,7 +43,7 @@ impl Spring {
         }
     }
 
-    /// What is searched for of it is a compliance, rad/(N m).
+    /// The unknown of it is a compliance, rad/(N m).
     pub const fn is_compliance(self) -> bool {
         !matches!(self, Self::Compensator | Self::Preload)
     }

@@ -394,7 +394,7 @@ impl<'a> Work<'a> {
             }
         }
         let postures = self.readings.iter().map(|reading| reading.posture).max().map_or(0, |last| last + 1);
-        // Of compliances alone: what else is searched for has other units.
+        // Of compliances alone: other unknowns have other units.
         let compliances = self.springs.iter().filter(|spring| spring.is_compliance()).count();
         let system = System { a: self.system.a.columns(0, compliances).into_owned(), y: self.system.y.clone() };
         let (singular_values, least_seen) = diagnostics::seen(&system.weighted(&self.weights));

@@ -23,7 +23,7 @@ pub(super) struct Node {
     pub(super) roll: usize,
 }
 
-/// What is searched for of all paths over a ladder.
+/// Which of all paths over a ladder is the best.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Goal {
     /// That whose largest error is least, m.

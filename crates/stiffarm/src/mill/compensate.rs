@@ -27,7 +27,7 @@ use crate::toolpath::ToolPose;
 use crate::uncertainty::{quantile, quantile_of};
 use crate::watch::Watch;
 
-/// Rounds in which the loaded posture is searched for, and the joints' change that ends them, rad.
+/// Rounds in which the loaded posture is found, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
 const SETTLED: f64 = 1e-12;
 /// Relative allowance for rounding.

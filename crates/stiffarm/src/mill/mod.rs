@@ -177,7 +177,7 @@ pub fn mill(
 }
 
 impl Question<'_> {
-    /// The best of so many rolls, with what is proved of all, and over what it was searched for.
+    /// The best of so many rolls, with what is proved of all, and over what the search went.
     fn milled(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Milled), MillError> {
         let mut ladder = self.ladder(stand, rolls, watch)?;
         let samples = match self.solve(&mut ladder, stand, watch)? {

@@ -27,7 +27,7 @@ use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
 use crate::watch::Watch;
 
-/// Rounds in which the loaded posture is searched for, and the joints' change that ends them, rad.
+/// Rounds in which the loaded posture is found, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
 const SETTLED: f64 = 1e-13;
 /// A third point counts where it is so far beside the line through two others, as a part of their distance.

@@ -1,7 +1,7 @@
 //! Where must a part stand, so that the largest error along its path is least?
 //!
 //! Searched: where, and how far the part is turned about the vertical. Where nothing says where about the joint-1 axis the part may stand,
-//! it is placed straight ahead; in a cell it is searched for in the cell (`ground`). First over all of these on some samples (those that lie outermost, those under the largest forces,
+//! it is placed straight ahead; in a cell it is placed in the cell (`ground`). First over all of these on some samples (those that lie outermost, those under the largest forces,
 //! some in between), then step by step from the best, then along the whole path, whose worst sample joins the others. Proved: a
 //! lower bound by branch and bound over the places, on the same samples, each at its own best roll.
 
@@ -79,7 +79,7 @@ pub struct PathPlaced {
     pub milled: Milled,
     /// No place that is allowed has a smaller largest error, m; 0 where nothing is proved.
     pub lower_bound: f64,
-    /// How finely was searched for.
+    /// How fine the search was.
     pub resolution: PathResolution,
 }
 

@@ -232,7 +232,7 @@ impl MillAnswer {
         }
     }
 
-    /// What no path of rolls beats, and where the place was searched for, no place; m.
+    /// What no path of rolls beats, and where the best place was asked for, no place; m.
     pub fn lower_bound(&self) -> Option<f64> {
         let found = self.followed()?;
         Some(self.search.map_or(found.lower_bound, |(_, of_all)| of_all.min(found.lower_bound)))

@@ -34,7 +34,7 @@ pub struct PlaceAnswer {
     pub placed: Placed,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
-    /// What that says of force, stiffness and size, where it was searched for.
+    /// What that says of force, stiffness and size, where advice was asked for.
     pub advice: Option<Advice>,
 }
 

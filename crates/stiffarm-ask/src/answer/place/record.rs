@@ -91,7 +91,7 @@ pub(in crate::answer) fn clearance(
     best.clearance(&model, &task.work, &options.margins)
 }
 
-/// Adds what was searched for beside a placement.
+/// Adds the advice on a placement.
 pub(in crate::answer) fn put_advice(record: &mut Record, found: Option<&Advice>, asked: advice::Asked) {
     record.put(field::ADVICE, found.map(|found| advice::record(found, asked)));
 }

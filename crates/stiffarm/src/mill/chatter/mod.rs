@@ -114,7 +114,7 @@ impl Station {
     }
 }
 
-/// That chatter of a process can be told of a robot, before its path is searched for.
+/// That chatter of a process can be told of a robot, before its path is followed.
 ///
 /// # Errors
 /// A robot without masses, what is no flat mill that turns right.
