@@ -49,16 +49,16 @@ impl Seen {
         }
     }
 
-    /// What is meant by a key in the answer of a verb: a field of the verb before those of others, one of the kind that was seen before the rest.
-    fn field(&self, verb: Verb, key: &str) -> Option<&'static Field> {
+    /// What is meant by a key in the answer of a verb: of the fields of the verb one that is listed behind the object in which it stands,
+    /// before the next object; else a field of the verb before those of others, one of the kind that was seen before the rest.
+    fn field(&self, verb: Verb, object: &str, key: &str) -> Option<&'static Field> {
         let called = |field: &&Field| field.key == key;
         let own = || field::of(verb).filter(called);
         let fits = |field: &&Field| self.fits(field);
-        own()
-            .find(fits)
-            .or_else(|| field::all().filter(called).find(fits))
-            .or_else(|| own().next())
-            .or_else(|| field::all().find(called))
+        let behind = field::of(verb).skip_while(|field| field.key != object).skip(1);
+        let behind = behind.take_while(|field| field.kind != Kind::Nested).filter(called).find(fits);
+        let of_kind = behind.or_else(|| own().find(fits)).or_else(|| field::all().filter(called).find(fits));
+        of_kind.or_else(|| own().next()).or_else(|| field::all().find(called))
     }
 }
 
@@ -83,7 +83,7 @@ struct Page {
 }
 
 impl Page {
-    fn write(&mut self, above: &str, keys: &Keys) {
+    fn write(&mut self, above: &str, object: &str, keys: &Keys) {
         for (key, seen) in keys {
             let path = format!("{above}{key}{}", if seen.is_list && !seen.keys.is_empty() { "[]" } else { "" });
             let names: Vec<String> = seen.keys.iter().map(|(key, _)| key.clone()).collect();
@@ -96,7 +96,7 @@ impl Page {
                 None => String::new(),
             };
             // A cell is as it was asked for.
-            match seen.field(self.verb, key).filter(|_| above != "cell.") {
+            match seen.field(self.verb, object, key).filter(|_| above != "cell.") {
                 Some(field) if above == "chatter." && field::of(Verb::Chatter).any(|own| own == field) => {}
                 Some(field) => {
                     row(&mut self.text, &[&format!("`{path}`"), &unit(field), &format!("{}{alike}", field.about)]);
@@ -106,7 +106,7 @@ impl Page {
             // Below, a robot is as in its file.
             if known.is_none() && self.verb != Verb::List {
                 self.written.push((names, path.clone()));
-                self.write(&format!("{path}."), &seen.keys);
+                self.write(&format!("{path}."), key, &seen.keys);
             }
         }
     }
@@ -131,9 +131,26 @@ pub(super) fn of_verb(verb: Verb) -> String {
          whose keys have no line here stand in few answers: see the pages of [keys](keys_a_to_d.md).\n\n",
     );
     head(&mut page.text, &["key", "unit", "meaning"]);
-    page.write("", &keys);
+    page.write("", "", &keys);
     if !page.further.is_empty() {
         let _ = writeln!(page.text, "\nAs in the robot file or in what was asked: {}.", page.further.join(", "));
     }
     page.text
+}
+
+#[test]
+fn a_key_of_several_meanings_has_that_of_its_place() {
+    for (verb, line) in [
+        (Verb::Mill, "| `search.samples` | count | Samples that stood for the path in the search. |"),
+        (Verb::Mill, "| `part.samples` | count | Samples along the path. |"),
+        (Verb::Mill, "| `worst_mm` | mm | The largest error along the path. |"),
+        (Verb::Mill, "| `verdict` | text | pass where the tolerance is kept"),
+        (Verb::Map, "| `zone.deflection_mm` | mm | The worst deflection in the zone at its best place. |"),
+        (Verb::Calibrate, "| `at_work.postures` | count | Postures over which it is told. |"),
+        (Verb::Rank, "| `winners[].best` | text | The best robot whose geometry and limits are published. |"),
+        (Verb::Study, "| `rows[].best` | yes or no | The link ratio is the best. |"),
+    ] {
+        let text = of_verb(verb);
+        assert!(text.contains(line), "{line}: {text}");
+    }
 }

@@ -1696,7 +1696,7 @@ class RankingRow(TypedDict):
     """How much more than the best it has on average, of each task."""
 
     ties_with_best: list[bool | None]
-    """Its deflection and that of the best robot overlap: neither is smaller in 95 % of the draws of the drive
+    """It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive
     stiffness, of each task; shared ranks are about the proof."""
 
     cells: list[Placed]
@@ -3327,7 +3327,7 @@ class PathRankingRow(_Pass):
     """How much more than the best it has on average, of each task."""
 
     ties_with_best: list[bool | None]
-    """Its deflection and that of the best robot overlap: neither is smaller in 95 % of the draws of the drive
+    """It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive
     stiffness, of each task; shared ranks are about the proof."""
 
     search: PlaceSearch | None

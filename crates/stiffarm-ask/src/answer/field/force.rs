@@ -18,5 +18,4 @@ fields! {
     ENTRY_ANGLE: "entry_deg", Kind::Number(Unit::Degree), "Where a tooth enters, from the left of the feed in the sense of the rotation.";
     EXIT_ANGLE: "exit_deg", Kind::Number(Unit::Degree), "Where a tooth leaves.";
     CUTTING_FORCE: "force", Kind::Text, "Where the force on the tool comes from.";
-    PART: "part", Kind::Nested, "The path as it was cut: samples, lengths and time.";
 }

@@ -3,6 +3,7 @@
 use super::kinds::{Kind, Unit, fields, numbers};
 
 fields! {
+    PART: "part", Kind::Nested, "The path as it was cut: samples, lengths and time.";
     SAMPLES_OF_PATH: "samples", Kind::Count, "Samples along the path.";
     PATH_LENGTH: "length_m", Kind::Number(Unit::Metre), "Length of the path, rapid ways and all.";
     CUTTING_LENGTH: "cutting_length_m", Kind::Number(Unit::Metre), "Length of what feeds.";
@@ -26,7 +27,7 @@ fields! {
     PATH_WORST_P05: "worst_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of the drive stiffness, in the postures of the answer; null where the uncertainty of the drives is not known.";
     PATH_WORST_P50: "worst_mm_p50", Kind::Number(Unit::Millimetre), "Median.";
     PATH_WORST_P95: "worst_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
-    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, through the pins where there are some, and where the place was searched for no place, have less.";
+    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, through the pins where there are some, and where the best place was asked for no place, have less.";
     ROLL_LOWER_BOUND: "roll_lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of that mode have less at this place.";
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";

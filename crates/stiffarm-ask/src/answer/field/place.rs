@@ -39,7 +39,7 @@ fields! {
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Their 95th percentile.";
     WIN_PROBABILITY: "win_probability", Kind::Nested, "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, or the uncertainty of its drives is not known.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
-    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "Its deflection and that of the best robot overlap: neither is smaller in 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
+    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
