@@ -6,7 +6,10 @@ use std::ops::Range;
 
 use nalgebra::{Matrix3, Vector3};
 
+use self::axis::{Axis, Seen};
 use crate::body::Capsule;
+
+mod axis;
 
 type Vec3 = Vector3<f64>;
 /// Its corners, m.
@@ -120,8 +123,9 @@ impl Patch {
         Self { middle: middle(&points), farthest: farthest.collect(), points }
     }
 
-    fn is_in(&self, line: &Capsule) -> bool {
-        self.points.iter().all(|point| line.away(point).norm() <= line.radius)
+    fn is_in(&self, capsule: &Capsule) -> bool {
+        let axis = Axis::of(capsule);
+        self.points.iter().all(|point| axis.away(point).norm() <= capsule.radius)
     }
 }
 
@@ -195,37 +199,6 @@ fn axes(points: &[Vec3]) -> [Vec3; 4] {
     [longest.try_normalize(0.0).unwrap_or(Vec3::x()), Vec3::x(), Vec3::y(), Vec3::z()]
 }
 
-impl Capsule {
-    /// The part of the line before the nearest of its points.
-    fn part(&self, point: &Vec3) -> f64 {
-        let along = self.ends[1] - self.ends[0];
-        let length = along.norm_squared();
-        if 0.0 < length { ((point - self.ends[0]).dot(&along) / length).clamp(0.0, 1.0) } else { 0.0 }
-    }
-
-    /// From the nearest point of the line.
-    fn away(&self, point: &Vec3) -> Vec3 {
-        point - self.ends[0] - (self.ends[1] - self.ends[0]) * self.part(point)
-    }
-
-    /// The largest distance of a point from the line.
-    fn reach(&self, points: &[Vec3]) -> f64 {
-        points.iter().map(|point| self.away(point).norm_squared()).fold(0.0, f64::max).sqrt()
-    }
-
-    fn about(ends: [Vec3; 2], points: &[Vec3]) -> Self {
-        let line = Self { ends, radius: 0.0 };
-        Self { radius: line.reach(points), ..line }
-    }
-
-    /// Through the middle of the points along an axis, half as long as they are.
-    fn along(axis: &Vec3, points: &[Vec3]) -> Self {
-        let (low, high) = corners(points);
-        let span = points.iter().map(|point| (point - (low + high) / 2.0).dot(axis).abs()).fold(0.0, f64::max);
-        Self::about([-0.5, 0.5].map(|part| (low + high) / 2.0 + axis * (part * span)), points)
-    }
-}
-
 /// For capsules about patches.
 struct Search {
     patches: Vec<Patch>,
@@ -248,7 +221,8 @@ impl Search {
         let least = tried.min_by(|x, y| self.cost(x).total_cmp(&self.cost(y)));
         let mut best = least.unwrap_or(Capsule { ends: [Vec3::zeros(); 2], radius: 0.0 });
         for _ in 0..MENDED {
-            let is_out = |point: &&Vec3| best.radius < best.away(point).norm();
+            let axis = Axis::of(&best);
+            let is_out = |point: &&Vec3| best.radius < axis.away(point).norm();
             let out: Vec<Vec3> = points.iter().filter(is_out).copied().collect();
             if out.is_empty() {
                 break;
@@ -263,23 +237,25 @@ impl Search {
     fn sketch(&self, patches: &[&Patch], near: &[Vec3]) -> Capsule {
         let start = Capsule::along(&axes(near)[0], near);
         let best = self.descend(start, near, (FEW_STEPS, FEW_SHRINK));
-        let reaches = patches.iter().map(|patch| best.reach(&patch.points));
+        let axis = Axis::of(&best);
+        let reaches = patches.iter().map(|patch| axis.reach(&patch.points));
         Capsule { radius: reaches.fold(0.0, f64::max), ..best }
     }
 
     /// Downhill in ever smaller steps: the ends follow the points that are farthest, and each other.
     fn descend(&self, start: Capsule, points: &[Vec3], (steps, shrink): (usize, f64)) -> Capsule {
-        let size = extent(points);
-        let mut step = size * FIRST_STEP;
+        let mut step = extent(points) * FIRST_STEP;
         let (mut line, mut best) = (start, start);
+        let mut seen = Vec::with_capacity(points.len());
+        Axis::of(&line).see(points, &mut seen);
         for _ in 0..steps {
-            let slopes = self.slopes(&line, points, step);
+            let slopes = self.slopes(&line, &seen, step);
             let slope = (slopes[0].norm_squared() + slopes[1].norm_squared()).sqrt();
             if slope == 0.0 {
                 break;
             }
-            let ends = [0, 1].map(|i| line.ends[i] - slopes[i] * (step / slope));
-            line = Capsule::about(ends, points);
+            line.ends = [0, 1].map(|i| line.ends[i] - slopes[i] * (step / slope));
+            line.radius = Axis::of(&line).see(points, &mut seen);
             if self.cost(&line) < self.cost(&best) {
                 best = line;
             }
@@ -289,20 +265,18 @@ impl Search {
     }
 
     /// Of the cost by the ends, the points within `near` of the farthest all pulling.
-    fn slopes(&self, line: &Capsule, points: &[Vec3], near: f64) -> [Vec3; 2] {
+    fn slopes(&self, line: &Capsule, seen: &[Seen], near: f64) -> [Vec3; 2] {
         let along = line.ends[1] - line.ends[0];
         let length = along.norm();
         let (mut pulls, mut weights) = ([Vec3::zeros(); 2], 0.0);
-        for point in points {
-            let part = line.part(point);
-            let away = point - line.ends[0] - along * part;
-            let distance = away.norm();
+        let nearest = (line.radius - near).max(0.0);
+        for point in seen.iter().filter(|point| nearest * nearest < point.square) {
+            let distance = point.square.sqrt();
             let weight = distance - line.radius + near;
-            if 0.0 < weight && 0.0 < distance {
-                pulls[0] += away * ((1.0 - part) * weight / distance);
-                pulls[1] += away * (part * weight / distance);
-                weights += weight;
-            }
+            let pull = point.away * (weight / distance);
+            pulls[0] += pull * (1.0 - point.part);
+            pulls[1] += pull * point.part;
+            weights += weight;
         }
         let radius = line.radius + self.size * SKIN;
         let axis = along.try_normalize(0.0).unwrap_or_default() * (radius / 2.0);
@@ -376,12 +350,16 @@ fn volume(lines: &[Capsule]) -> f64 {
     let (low, high) = corners(&lines.iter().flat_map(reach).flatten().collect::<Vec<Vec3>>());
     let cell = (high - low) / CELLS as f64;
     let width = cell.mean() + f64::MIN_POSITIVE;
+    let axes: Vec<(Axis, f64)> = lines.iter().map(|line| (Axis::of(line), line.radius)).collect();
     let mut full = 0.0;
-    for i in 0..CELLS * CELLS * CELLS {
-        let at = Vec3::new((i % CELLS) as f64, (i / CELLS % CELLS) as f64, (i / CELLS / CELLS) as f64);
-        let point = low + at.add_scalar(0.5).component_mul(&cell);
-        let deepest = lines.iter().map(|line| line.radius - line.away(&point).norm()).fold(-width, f64::max);
-        full += (0.5 + deepest / width).clamp(0.0, 1.0);
+    for row in 0..CELLS * CELLS {
+        let at = Vec3::new(0.0, (row % CELLS) as f64, (row / CELLS) as f64);
+        let first = low + at.add_scalar(0.5).component_mul(&cell);
+        let mut deepest = [-width; CELLS];
+        for (axis, radius) in &axes {
+            axis.deepen(&first, cell.x, *radius, &mut deepest);
+        }
+        full += deepest.iter().map(|deep| (0.5 + deep / width).clamp(0.0, 1.0)).sum::<f64>();
     }
     full * cell.product()
 }
@@ -389,7 +367,7 @@ fn volume(lines: &[Capsule]) -> f64 {
 /// With radii so much larger that every piece lies in one of them, and by the rounding.
 fn grown(mut lines: Vec<Capsule>, pieces: &[Triangle], rounding: f64) -> Vec<Capsule> {
     for piece in pieces {
-        let needs = lines.iter_mut().map(|line| (line.reach(piece), line));
+        let needs = lines.iter_mut().map(|line| (Axis::of(line).reach(piece), line));
         let least = needs.min_by(|(x, of_x), (y, of_y)| (x - of_x.radius).total_cmp(&(y - of_y.radius)));
         if let Some((reach, line)) = least {
             line.radius = line.radius.max(reach);

@@ -14,7 +14,7 @@ fn block(half: [f64; 3]) -> Vec<Triangle> {
 }
 
 fn holds(capsule: &Capsule, point: &Vec3) -> bool {
-    capsule.reach(&[*point; 3]) <= capsule.radius
+    Axis::of(capsule).reach(&[*point; 3]) <= capsule.radius
 }
 
 /// Points of every triangle lie in one of the capsules, by a calculation of its own.
