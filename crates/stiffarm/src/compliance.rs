@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use crate::chain::TrueArm;
 use crate::load::{Forces, Largest, Load};
 use crate::robot::{Arm, Robot, Unheld};
-use crate::spatial::{Compliance, Pose};
+use crate::spatial::{Compliance, Pose, eigenvalues};
 
 /// An arm at one posture.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ impl Posture {
 /// What some forces do at most, any where `None`, m/N, where every drive gives so many times its part of the compliance of the translation.
 pub(crate) fn most_of(by_drive: &[Matrix3<f64>; 6], factors: &[f64; 6], forces: Option<&Forces>) -> f64 {
     let drawn: Matrix3<f64> = by_drive.iter().zip(factors).map(|(part, factor)| part * *factor).sum();
-    forces.map_or_else(|| drawn.symmetric_eigenvalues().max(), |forces| forces.largest(&drawn).value)
+    forces.map_or_else(|| eigenvalues(&drawn)[0], |forces| forces.largest(&drawn).value)
 }
 
 /// A posture that cannot be judged.

@@ -1,6 +1,11 @@
 //! Six-vectors: translation first, then rotation. Said once, here.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Isometry3, Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
+
+/// Two eigenvalues nearly agree where they differ by a smaller part of themselves: no direction is told then.
+const NEARLY_AGREE: f64 = 1e-4;
 
 /// Where a frame stands in another one.
 pub type Pose = Isometry3<f64>;
@@ -45,5 +50,70 @@ impl Compliance {
     pub fn worst(&self) -> (f64, Vector3<f64>) {
         let [_, _, worst] = self.principal();
         worst
+    }
+}
+
+/// Eigenvalues of a symmetric matrix in closed form, the largest first: some eight times as fast as by rotations. Where two of them differ by
+/// a small part `g` of the largest, they are known to `1e-15 / g` of it, and to 3e-8 in any case.
+pub(crate) fn eigenvalues(m: &Matrix3<f64>) -> [f64; 3] {
+    let mean = m.trace() / 3.0;
+    let rest = m - Matrix3::from_diagonal_element(mean);
+    let size = (rest.norm_squared() / 6.0).sqrt();
+    if size == 0.0 {
+        return [mean; 3];
+    }
+    // The cosine of three times the angle at which three points, a third of a turn apart, lie above the eigenvalues of `rest`.
+    let third = ((rest / size).determinant() / 2.0).clamp(-1.0, 1.0).acos() / 3.0;
+    let (first, last) = (mean + 2.0 * size * third.cos(), mean + 2.0 * size * (third + TAU / 3.0).cos());
+    [first, 3.0 * mean - first - last, last]
+}
+
+/// The direction of one of its [`eigenvalues`] that is not zero, of length one; `None` where another one nearly agrees with it.
+pub(crate) fn eigenvector(m: &Matrix3<f64>, value: f64) -> Option<Vector3<f64>> {
+    // Across all columns of what it leaves, which two of them span.
+    let [x, y, z] = [0, 1, 2].map(|i| (m - Matrix3::from_diagonal_element(value)).column(i).into_owned());
+    let across = [x.cross(&y), y.cross(&z), z.cross(&x)];
+    let longest =
+        across.into_iter().fold(Vector3::zeros(), |a, b| if a.norm_squared() < b.norm_squared() { b } else { a });
+    longest.try_normalize(NEARLY_AGREE * value * value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn eigenvalues_and_their_directions_are_those_of_rotations() {
+        let mut rng = fastrand::Rng::with_seed(7);
+        let (mut told, mut silent) = (0, 0);
+        for case in 0..4000 {
+            let mut number = || 2.0 * rng.f64() - 1.0;
+            let turn = nalgebra::Rotation3::from_euler_angles(3.0 * number(), 3.0 * number(), 3.0 * number());
+            let apart = [1.0, 1e-2, 1e-5, 1e-9, 0.0][case % 5];
+            let values = [3e-6, 3e-6 * (1.0 - apart * number().abs()), [1e-6 * number().abs(), 0.0][case % 2]];
+            let values = if case % 3 == 0 { values.map(|value| 3e-6 - value) } else { values };
+            let m = turn * Matrix3::from_diagonal(&Vector3::from(values)) * turn.inverse();
+            let m = (m + m.transpose()) / 2.0;
+            let mut expected = SymmetricEigen::new(m);
+            expected.eigenvalues.as_mut_slice().sort_by(|x, y| y.total_cmp(x));
+            for (i, (found, expected)) in eigenvalues(&m).into_iter().zip(&expected.eigenvalues).enumerate() {
+                let slack = if apart == 1.0 { 1e-12 } else { 3e-8 };
+                assert!((found - expected).abs() <= slack * 3e-6, "{case} {i}: {found} {expected}");
+                if found < 1e-9 {
+                    continue;
+                }
+                let Some(direction) = eigenvector(&m, found) else {
+                    silent += 1;
+                    continue;
+                };
+                told += 1;
+                // As far off as the value, over how far it is from the others.
+                assert!((m * direction - direction * found).norm() < 1e-6 * 3e-6, "{case} {i}");
+                assert!((direction.norm() - 1.0).abs() < 1e-14);
+            }
+        }
+        assert!(2000 < told && 1000 < silent, "{told} {silent}");
+        assert_eq!(eigenvalues(&Matrix3::zeros()), [0.0; 3]);
+        assert_eq!(eigenvalues(&Matrix3::identity()), [1.0; 3]);
     }
 }

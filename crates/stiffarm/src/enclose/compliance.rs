@@ -11,6 +11,7 @@ use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
 use crate::load::{Component, Direction};
 use crate::real::{cross, dot};
+use crate::spatial::{eigenvalues, eigenvector};
 
 /// The second softest direction is looked at as well where its compliance is this part of the largest.
 const SECOND: f64 = 0.6;
@@ -210,17 +211,24 @@ fn at_middle<const N: usize>(parts: &[(Affine<N>, &Vector<N>)]) -> Matrix3<f64> 
 /// Adds lower bounds for a force in its worst direction: the compliance along the softest directions in the middle of the node.
 fn add_worst_bounds<const N: usize>(drives: &[(Affine<N>, Vector<N>); 6], bounds: &mut NodeBounds<N>) {
     let parts = known(drives);
-    let eigen = SymmetricEigen::new(at_middle(&parts));
-    let largest = eigen.eigenvalues.max();
-    for (value, direction) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
-        if *value < SECOND * largest {
-            continue;
-        }
+    for direction in softest(&at_middle(&parts)) {
         let moved = parts
             .iter()
             .map(|(k, column)| (*k, column[0] * direction[0] + column[1] * direction[1] + column[2] * direction[2]));
         add_squares(&moved.collect::<Vec<_>>(), bounds);
     }
+}
+
+/// The softest directions.
+fn softest(compliance: &Matrix3<f64>) -> Vec<Vector3<f64>> {
+    let values = eigenvalues(compliance);
+    let counted = values.iter().filter(|value| SECOND * values[0] <= **value);
+    let told: Option<_> = counted.map(|value| eigenvector(compliance, *value)).collect();
+    told.unwrap_or_else(|| {
+        let eigen = SymmetricEigen::new(*compliance);
+        let all = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter());
+        all.filter(|(value, _)| SECOND * values[0] <= **value).map(|(_, direction)| direction.into_owned()).collect()
+    })
 }
 
 /// Adds the sum of `k x^2`. A square lies above its tangents: that in the middle, and the one that is greatest at the worse end.
