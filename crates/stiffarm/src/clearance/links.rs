@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::Link;
+use super::{Link, Solid};
 use crate::body::{Body, Capsule, Enclosing};
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
@@ -32,6 +32,11 @@ impl Piece {
     pub(super) fn stands_still(&self) -> bool {
         let is_on_axis = |end: &Vector3<f64>| end.xy().norm() < ON_AXIS;
         self.number == 0 || self.number == 1 && self.capsule.ends.iter().all(is_on_axis)
+    }
+
+    /// What no joint moves stands where it is put, and the column above what carries it.
+    pub(super) fn is_carried_by(&self, solid: &Solid) -> bool {
+        self.stands_still() || self.link == Link::Column && solid.is_below_base()
     }
 }
 

@@ -99,6 +99,11 @@ impl Capsule {
         apart - self.radius
     }
 
+    /// No point of it is farther from the joint-1 axis, m.
+    pub(super) fn farthest_from_axis_1(&self) -> f64 {
+        self.ends.iter().map(|end| end.xy().norm()).fold(0.0, f64::max) + self.radius
+    }
+
     /// With flat ends in place of its round ones, and where that stands.
     pub(super) fn cylinder(&self) -> (Pose, Cylinder) {
         let [from, to] = self.ends;

@@ -54,6 +54,36 @@ fn the_nearest_of_all_links_is_that_of_a_hand_calculation() {
     assert_eq!(nearest(&robot, Some(0.25), DOWN, &on_a_table), (0.1, Link::Tool, Obstacle::KeepOut(1)));
 }
 
+/// The joint-2 axis goes round 0.3 m beside that of joint 1 and 0.7 m high, in a ball of 0.2 m: 0.1 m under a slab at 1 m, and 0.3 m deep in one at
+/// 0.6 m. A slab on one side leaves a way.
+#[test]
+fn a_box_in_the_way_of_every_posture_is_known_at_once() {
+    let robot = robot();
+    let thick = ThickArm::new(&robot, &Pose::identity(), None).unwrap();
+    let slab = |from: f64, to: f64, x: f64| {
+        let pose = Pose::translation(x, 0.0, f64::midpoint(from, to));
+        let half = [5.0, 5.0, (to - from) / 2.0];
+        Surroundings { keep_out: vec![Solid::Box { pose, half }], ..Surroundings::default() }
+    };
+    let (over, about, aside) = (slab(1.0, 2.0, 0.0), slab(0.6, 2.0, 0.0), slab(0.6, 2.0, 5.6));
+    // What the arc between two angles adds.
+    let arc = 0.01;
+    let near = thick.always_nearer(&over, 0.15).unwrap();
+    assert!((0.1..0.1 + arc).contains(&near.distance) && near.to == Obstacle::KeepOut(1), "{near:?}");
+    let near_about = thick.always_nearer(&about, 0.0).unwrap();
+    assert!((-0.3..-0.3 + arc).contains(&near_about.distance), "{near_about:?}");
+    assert_eq!([thick.always_nearer(&over, 0.05), thick.always_nearer(&aside, 0.0)], [None, None]);
+    // No posture by chance keeps more.
+    let mut rng = fastrand::Rng::with_seed(4);
+    for _ in 0..500 {
+        let theta = [0; 6].map(|_| 6.0 * rng.f64() - 3.0);
+        for (surroundings, most) in [(&over, near), (&about, near_about)] {
+            let found = thick.nearest(&theta, (surroundings, 0), Looked::ALL).unwrap();
+            assert!(found.distance <= most.distance, "{theta:?} {found:?} {most:?}");
+        }
+    }
+}
+
 /// The column is 0.3 m thick about the joint-1 axis: a plinth and a slab carry it, a post 0.31 m beside that axis does not. Whatever joints move
 /// keeps out of all: the joint-2 axis stands 0.7 m high, 0.2 m thick, over a plinth of 0.4 m.
 #[test]

@@ -1,5 +1,7 @@
 //! A robot whose links have a thickness: what of it is compared with what, in one posture and in many.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Vector3;
 
 use super::links::{LINKS, Piece, Tool, enclosed, links, piece_of_tool};
@@ -14,6 +16,8 @@ use crate::spatial::Pose;
 
 /// A line that runs so deep into a link, m, only grazes it.
 const GRAZED: f64 = 1e-9;
+/// Angles of joint 1 at which what it turns is compared.
+const TURNS: u32 = 180;
 /// A tool shorter than this, m, is no link.
 const NO_TOOL: f64 = 1e-6;
 
@@ -148,6 +152,45 @@ impl<'a> ThickArm<'a> {
         (1..).zip(&about.keep_out).filter(|(_, solid)| holds(solid)).map(|(number, _)| number).collect()
     }
 
+    /// What comes nearer than `asked`, m, to a box that is kept free, wherever the joints stand, and how far from it it is at most; `None` where
+    /// nothing does for certain.
+    ///
+    /// Of what joint 1 alone turns, and of the ball about the joint-2 axis that the upper arm always fills, all around: from the nearest angle that
+    /// is compared no point of it moves farther than half a step of its arc.
+    pub(crate) fn always_nearer(&self, about: &Surroundings, asked: f64) -> Option<Near> {
+        let step = TAU / f64::from(TURNS);
+        let turned: Vec<Vec<Piece>> =
+            (0..TURNS).map(|i| self.turned_by_first(f64::from(i) * step, about.pedestal)).collect();
+        let mut least: Option<Near> = None;
+        for (number, solid) in (1..).zip(&about.keep_out) {
+            for (i, piece) in turned[0].iter().enumerate().filter(|(_, piece)| !piece.is_carried_by(solid)) {
+                let farthest = piece.capsule.farthest_from_axis_1() * step / 2.0;
+                let apart = turned.iter().map(|pieces| pieces[i].capsule.apart_from_solid(solid));
+                let distance = apart.fold(f64::NEG_INFINITY, f64::max) + farthest;
+                if distance < least.map_or(asked, |near| near.distance) {
+                    least = Some(Near { distance, link: piece.link, to: Obstacle::KeepOut(number) });
+                }
+            }
+        }
+        least
+    }
+
+    /// What only joint 1 moves, at its model angle.
+    fn turned_by_first(&self, theta: f64, pedestal: f64) -> Vec<Piece> {
+        let theta = [theta, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let [_, shoulder, ..] = self.geometry.points(&theta).map(Vector3::from);
+        let at_shoulder = Capsule { ends: [shoulder; 2], radius: 0.0 };
+        let kept = |piece: Piece| match piece.number {
+            0 | 1 => Some(piece),
+            2 => {
+                let radius = -at_shoulder.apart_from(&piece.capsule);
+                (0.0 < radius).then_some(Piece { capsule: Capsule { radius, ..at_shoulder }, ..piece })
+            }
+            _ => None,
+        };
+        self.pieces(&theta, pedestal).into_iter().filter_map(kept).collect()
+    }
+
     /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
     ///
     /// From the wrist centre, through which the axes of joints 4 to 6 go, backwards: each link adds its length, and what it carries may stretch
@@ -277,9 +320,7 @@ impl<'a> ThickArm<'a> {
         if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
             nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
         }
-        // What no joint moves stands where it is put, and the column above what carries it.
-        let carries = |solid: &Solid| pieces[i].stands_still() || link == Link::Column && solid.is_below_base();
-        for (number, solid) in (1..).zip(&about.keep_out).filter(|(_, solid)| !carries(solid)) {
+        for (number, solid) in (1..).zip(&about.keep_out).filter(|(_, solid)| !pieces[i].is_carried_by(solid)) {
             nearest.solid((link, &capsule), Obstacle::KeepOut(number), solid);
         }
     }

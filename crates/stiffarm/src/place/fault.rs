@@ -1,6 +1,6 @@
 //! Why has a zone no place, and a question no answer?
 
-use crate::clearance::Clearance;
+use crate::clearance::{Clearance, Near};
 use crate::load::NotInPlane;
 use crate::model::ModelError;
 use crate::robot::NoArmPlane;
@@ -38,6 +38,11 @@ pub enum Misfit {
         /// What it keeps at the best place where none is asked for; `None` where no body of the arm is known.
         otherwise: Option<Clearance>,
     },
+    /// Wherever the joints stand, the arm keeps less from a box than was asked.
+    Blocked {
+        /// What of it, and how far apart they are at most.
+        near: Near,
+    },
     /// The zone is reached, but a joint would have to turn by more than it can on the way through it.
     Turning,
 }
@@ -72,6 +77,14 @@ impl std::fmt::Display for Misfit {
                     write!(f, "; at the best place otherwise {} and {to} overlap by {:.0} mm", link.name(), -kept)
                 } else {
                     write!(f, "; at the best place otherwise {} to {to} keeps {kept:.0} mm", link.name())
+                }
+            }
+            Self::Blocked { near: Near { distance, link, to } } => {
+                let (link, mm) = (link.name(), distance * 1e3);
+                if mm < 0.0 {
+                    write!(f, "{link} and {to} overlap by {:.0} mm or more wherever the joints stand", -mm)
+                } else {
+                    write!(f, "{link} to {to} keeps {mm:.0} mm or less wherever the joints stand")
                 }
             }
             Self::Turning => f.write_str(

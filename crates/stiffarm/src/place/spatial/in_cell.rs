@@ -16,7 +16,7 @@ use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
-use crate::clearance::ThickArm;
+use crate::clearance::{Near, Surroundings, ThickArm};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, posture_of};
 use crate::parallel;
@@ -72,6 +72,10 @@ pub(super) fn search(
     cell: &Cell,
 ) -> Result<Placed, Stopped> {
     let search = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, cell));
+    // No search is needed; but bodies are coarse, and what is taken for a link may be larger than it is.
+    if let Some(near) = search.blocked() {
+        return Ok(Placed::Infeasible { reason: Misfit::Blocked { near }, is_proved: false, largest_scale: None });
+    }
     let mut found = search.best(USUAL)?;
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
@@ -140,6 +144,12 @@ impl<'a> CellSearch<'a> {
     fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, ground: Ground<'a>) -> Self {
         let thick = ThickArm::new(robot, &arm.flange_from_tool, None);
         Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, thick }
+    }
+
+    /// What of the arm keeps less from a box than is asked for, wherever its joints stand.
+    fn blocked(&self) -> Option<Near> {
+        let asked = self.ground.cell.clearance?;
+        self.thick.as_ref()?.always_nearer(&Surroundings::of(Some(self.ground.cell), None), asked)
     }
 
     /// The best place that keeps the clearance that is asked for, or why none was found.
