@@ -15,10 +15,10 @@ use super::ladder::Ladder;
 use super::solve::{Question, RollMode};
 use super::stations::{ErrorPart, Station, cutting_axes};
 use crate::batch::Pushing;
-use crate::enclose::{Affine, ArmEnclosure, NodeBounds, PushEnclosure, Vector, sin_cos};
+use crate::enclose::{Affine, ArmEnclosure, NodeBounds, PushEnclosure, ToolFrameEnclosure, Vector, sin_cos};
 use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
-use crate::inverse::{Configuration, Wrist};
+use crate::inverse::{ArmBranch, Configuration, Wrist};
 use crate::tolerances::BOUND;
 
 /// Intervals of the roll that are enclosed first.
@@ -125,16 +125,14 @@ impl<'a> Floor<'a> {
     /// The least error of one sample in a configuration at any roll; no further than `known`.
     fn of_sample(&self, station: &Station, c: usize, known: f64) -> Result<f64, MillError> {
         let enough = known * (1.0 - ENOUGH);
-        let bound = |roll: Interval| self.over(station, Configuration::ALL[c], roll);
-        Self::least(bound, enough, MOST_CELLS).map(|lower| if enough <= lower { known.min(lower) } else { lower })
+        let tip = self.tip(station)?;
+        let bound = |roll: Interval| self.over(&tip, Configuration::ALL[c], roll);
+        let lower = Self::least(bound, enough, MOST_CELLS);
+        Ok(if enough <= lower { known.min(lower) } else { lower })
     }
 
     /// The least bound over all rolls, by splitting the intervals with the least one.
-    fn least(
-        bound: impl Fn(Interval) -> Result<Option<f64>, MillError>,
-        enough: f64,
-        most: usize,
-    ) -> Result<f64, MillError> {
+    fn least(bound: impl Fn(Interval) -> Option<f64>, enough: f64, most: usize) -> f64 {
         let mut queue = Frontier::new();
         let width = TAU / FIRST as f64;
         let mut cells: Vec<Interval> =
@@ -143,15 +141,15 @@ impl<'a> Floor<'a> {
         loop {
             for roll in cells.drain(..) {
                 count += 1;
-                match bound(roll)? {
+                match bound(roll) {
                     None => {}
                     Some(lower) if enough <= lower => least = least.min(lower),
                     Some(lower) => queue.push(Cell { lower, roll }),
                 }
             }
-            let Some(Cell { lower, roll }) = queue.pop() else { return Ok(least * (1.0 - BOUND)) };
+            let Some(Cell { lower, roll }) = queue.pop() else { return least * (1.0 - BOUND) };
             if most < count {
-                return Ok(lower.min(least) * (1.0 - BOUND));
+                return lower.min(least) * (1.0 - BOUND);
             }
             cells.extend(roll.halves());
         }
@@ -174,107 +172,80 @@ impl<'a> Floor<'a> {
                 }
             }
         }
+        // Of every run and configuration the tips of those rungs.
+        let tips = |binding: &Vec<[usize; Configuration::COUNT]>| {
+            (0..Configuration::COUNT)
+                .map(|c| {
+                    let mut rungs: Vec<usize> = Vec::new();
+                    for rung in binding.iter().map(|rungs| rungs[c]) {
+                        if !rungs.contains(&rung) {
+                            rungs.push(rung);
+                        }
+                    }
+                    rungs.into_iter().map(|k| self.tip(&ladder.stations[worst_station(ladder, k, c)?])).collect()
+                })
+                .collect()
+        };
+        let tips = binding.iter().map(tips).collect::<Result<Vec<Vec<Vec<Tip<1>>>>, MillError>>()?;
         let bound = |roll: Interval| {
             let mut of_all = 0.0_f64;
-            for binding in &binding {
+            for of_configurations in &tips {
                 let mut of_run: Option<f64> = None;
-                for c in 0..Configuration::COUNT {
+                for (tips, configuration) in of_configurations.iter().zip(Configuration::ALL) {
                     let mut worst = Some(0.0_f64);
-                    let mut seen: Vec<usize> = Vec::new();
-                    for k in binding.iter().map(|rungs| rungs[c]) {
-                        if seen.contains(&k) {
-                            continue;
-                        }
-                        seen.push(k);
-                        let station = &ladder.stations[worst_station(ladder, k, c)?];
-                        let lower = self.over(station, Configuration::ALL[c], roll)?;
-                        worst = worst.zip(lower).map(|(worst, lower)| worst.max(lower));
+                    for tip in tips {
+                        worst = worst.zip(self.over(tip, configuration, roll)).map(|(worst, lower)| worst.max(lower));
                         if worst.is_none_or(|worst| known <= worst) {
                             break;
                         }
                     }
                     of_run = of_run.into_iter().chain(worst).reduce(f64::min);
                 }
-                let Some(of_run) = of_run else { return Ok(None) };
-                of_all = of_all.max(of_run);
+                of_all = of_all.max(of_run?);
             }
-            Ok(Some(of_all))
+            Some(of_all)
         };
-        Ok(Self::least(bound, known * (1.0 - ENOUGH), MOST_CONSTANT)?.min(known))
+        Ok(Self::least(bound, known * (1.0 - ENOUGH), MOST_CONSTANT).min(known))
     }
 
-    /// A lower bound on the error of a sample, m, in a configuration at every roll of an interval; `None` where it is not held there.
-    pub(super) fn over(
-        &self,
-        station: &Station,
-        configuration: Configuration,
-        roll: Interval,
-    ) -> Result<Option<f64>, MillError> {
+    /// The tool at a sample, where the part stands.
+    pub(super) fn tip(&self, station: &Station) -> Result<Tip<1>, MillError> {
         let pose = self.stand.base_from_part;
         let turn = pose.rotation.to_rotation_matrix();
         let fixed = |v: Vector3<f64>| -> Vector<1> { <[f64; 3]>::from(turn * v).map(Affine::point) };
         let moved =
             |v: Vector3<f64>| -> Vector<1> { <[f64; 3]>::from((pose * Point3::from(v)).coords).map(Affine::point) };
-        let held = Held { station, configuration, roll: sin_cos::<1>(roll, 0), part: self.question.options.part };
-        held.lower_bound(&self.enclosure, self.wrists_are_alike, moved, fixed)
+        Tip::new(station, self.question.options.part, moved, fixed)
+    }
+
+    /// A lower bound on the error of a sample, m, in a configuration at every roll of an interval; `None` where it is not held there.
+    pub(super) fn over(&self, tip: &Tip<1>, configuration: Configuration, roll: Interval) -> Option<f64> {
+        let frame = tip.turned(&self.enclosure, sin_cos(roll, 0));
+        tip.lower_bound((&self.enclosure, self.wrists_are_alike), &frame, configuration)
     }
 }
 
-/// A sample that is held in a configuration at the rolls of an interval.
-pub(super) struct Held<'s, const N: usize> {
-    pub(super) station: &'s Station,
-    pub(super) configuration: Configuration,
-    /// Sine and cosine.
-    pub(super) roll: (Affine<N>, Affine<N>),
-    pub(super) part: ErrorPart,
+/// The tool at a sample: what of it is alike at all rolls and in all configurations.
+pub(super) struct Tip<const N: usize> {
+    at: Vector<N>,
+    /// Its axes at roll zero.
+    tool: [Vector<N>; 3],
+    push: Option<PushEnclosure<N>>,
+    /// What a bound is multiplied by, N where it is one per newton.
+    factor: f64,
 }
 
-impl<const N: usize> Held<'_, N> {
-    /// A lower bound on the error, m, where the part stands as `moved` takes its points to the base and `turned` its directions; `None`
-    /// where the sample is not held at all.
-    fn lower_bound(
-        &self,
-        enclosure: &ArmEnclosure,
-        wrists_are_alike: bool,
+impl<const N: usize> Tip<N> {
+    /// Where the part stands as `moved` takes its points to the base, and `turned` its directions.
+    pub(super) fn new(
+        Station { sample, acting, .. }: &Station,
+        part: ErrorPart,
         moved: impl Fn(Vector3<f64>) -> Vector<N>,
         turned: impl Fn(Vector3<f64>) -> Vector<N>,
-    ) -> Result<Option<f64>, MillError> {
-        let is_flipped = self.configuration.wrist == Wrist::Flip;
-        let wrists = if wrists_are_alike { [true; 2] } else { [!is_flipped, is_flipped] };
-        let found = self.of_wrists(enclosure, wrists, moved, turned)?;
-        Ok(found.filter(|(_, wrists)| wrists[usize::from(is_flipped)]).map(|(lower, _)| lower))
-    }
-
-    /// The same of both wrists at once where they are alike.
-    pub(super) fn either_wrist(
-        &self,
-        enclosure: &ArmEnclosure,
-        wrists_are_alike: bool,
-        moved: impl Fn(Vector3<f64>) -> Vector<N>,
-        turned: impl Fn(Vector3<f64>) -> Vector<N>,
-    ) -> Result<Option<f64>, MillError> {
-        if wrists_are_alike {
-            return Ok(self.of_wrists(enclosure, [true; 2], moved, turned)?.map(|(lower, _)| lower));
-        }
-        self.lower_bound(enclosure, false, moved, turned)
-    }
-
-    /// A lower bound, and which of the wrists are possible.
-    fn of_wrists(
-        &self,
-        enclosure: &ArmEnclosure,
-        mut wrists: [bool; 2],
-        moved: impl Fn(Vector3<f64>) -> Vector<N>,
-        turned: impl Fn(Vector3<f64>) -> Vector<N>,
-    ) -> Result<Option<(f64, [bool; 2])>, MillError> {
-        let Station { sample, acting, .. } = self.station;
+    ) -> Result<Self, MillError> {
         let none = part_from_tool(&sample.pose, 0.0).ok_or(MillError::Roll { line: sample.line })?;
-        let (x, y) = (none.rotation * Vector3::x(), none.rotation * Vector3::y());
-        let (s, c) = self.roll;
-        let (x, y, z) = (turned(x), turned(y), turned(-sample.pose.axis));
-        let tool = [std::array::from_fn(|i| c * x[i] + s * y[i]), std::array::from_fn(|i| c * y[i] - s * x[i]), z];
-        let pushing =
-            acting.map_or(Pushing::Nothing, |acting| acting.pushing(&cutting_axes(sample), sample, self.part));
+        let tool = [none.rotation * Vector3::x(), none.rotation * Vector3::y(), -sample.pose.axis].map(&turned);
+        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&cutting_axes(sample), sample, part));
         let (push, factor) = match pushing {
             Pushing::Nothing => (None, 0.0),
             Pushing::Any(newtons) => (None, newtons),
@@ -284,12 +255,53 @@ impl<const N: usize> Held<'_, N> {
                 (Some(PushEnclosure { force, moment, counted, sizes }), 1.0)
             }
         };
-        let frame = enclosure.tool_at(moved(sample.pose.tip), tool, push);
+        Ok(Self { at: moved(sample.pose.tip), tool, push, factor })
+    }
+
+    /// At the rolls of an interval, by their sine and cosine.
+    pub(super) fn turned(&self, enclosure: &ArmEnclosure, (s, c): (Affine<N>, Affine<N>)) -> ToolFrameEnclosure<N> {
+        let [x, y, z] = &self.tool;
+        let tool = [std::array::from_fn(|i| c * x[i] + s * y[i]), std::array::from_fn(|i| c * y[i] - s * x[i]), *z];
+        enclosure.tool_at(self.at, tool, self.push)
+    }
+
+    /// A lower bound on the error at these rolls, m; `None` where the sample is not held there.
+    pub(super) fn lower_bound(
+        &self,
+        (enclosure, wrists_are_alike): (&ArmEnclosure, bool),
+        frame: &ToolFrameEnclosure<N>,
+        configuration: Configuration,
+    ) -> Option<f64> {
+        let is_flipped = configuration.wrist == Wrist::Flip;
+        let wrists = if wrists_are_alike { [true; 2] } else { [!is_flipped, is_flipped] };
+        let (lower, wrists) = self.of_wrists(enclosure, frame, configuration.arm(), wrists)?;
+        wrists[usize::from(is_flipped)].then_some(lower)
+    }
+
+    /// The same of both wrists at once where they are alike.
+    pub(super) fn either_wrist(
+        &self,
+        (enclosure, wrists_are_alike): (&ArmEnclosure, bool),
+        frame: &ToolFrameEnclosure<N>,
+        configuration: Configuration,
+    ) -> Option<f64> {
+        if wrists_are_alike {
+            return self.of_wrists(enclosure, frame, configuration.arm(), [true; 2]).map(|(lower, _)| lower);
+        }
+        self.lower_bound((enclosure, false), frame, configuration)
+    }
+
+    /// A lower bound, and which of the wrists are possible.
+    fn of_wrists(
+        &self,
+        enclosure: &ArmEnclosure,
+        frame: &ToolFrameEnclosure<N>,
+        branch: ArmBranch,
+        mut wrists: [bool; 2],
+    ) -> Option<(f64, [bool; 2])> {
         let mut bounds = NodeBounds::<N>::default();
-        let held =
-            enclosure.add_constraints(&frame, [0.0; 2], self.configuration.arm(), None, &mut wrists, &mut bounds);
-        let lower = bounds.values.iter().map(Affine::min).fold(0.0, f64::max) * factor;
-        Ok(held.map(|_| (lower, wrists)))
+        enclosure.add_constraints(frame, [0.0; 2], branch, None, &mut wrists, &mut bounds)?;
+        Some((bounds.values.iter().map(Affine::min).fold(0.0, f64::max) * self.factor, wrists))
     }
 }
 

@@ -1,5 +1,6 @@
 //! No place of a part is better: branch and bound over boxes of places, each sample at its own best roll.
 
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
@@ -8,15 +9,14 @@ use super::ground::{Place, Region};
 use super::{ROLLS, Search};
 use crate::batch::RollGrid;
 use crate::cell::Block;
-use crate::enclose::{Affine, Vector, sin_cos, sum};
+use crate::enclose::{Affine, ToolFrameEnclosure, Vector, sin_cos, sum};
 use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::mill::bound::{Cell, Held};
+use crate::mill::bound::{Cell, Tip};
 use crate::mill::fault::MillError;
 use crate::mill::ladder::Ladder;
 use crate::mill::solve::RollMode;
-use crate::mill::stations::Station;
 use crate::parallel;
 use crate::spatial::Pose;
 use crate::tolerances::BOUND;
@@ -28,6 +28,9 @@ const AT_A_TIME: usize = 32;
 const FINEST_ROLL: f64 = TAU / 96.0;
 /// A bound this near to the value, as a part of it, is good enough.
 const ENOUGH: f64 = 0.01;
+
+/// The tool at intervals of the roll.
+type Frames = Vec<(Interval, ToolFrameEnclosure<5>)>;
 
 /// Places that are bounded together.
 struct Node {
@@ -152,7 +155,9 @@ impl Search<'_> {
         // Every sample at its own roll, every run in one configuration: between runs the arm may be arranged anew.
         let mut lower = 0.0_f64;
         for run in self.keys.chunk_by(|a, b| self.runs[*a] == self.runs[*b]) {
-            let Some(of_run) = self.over_run(run, enough, &moved, &turned)? else { return Ok(None) };
+            let tip = |i: &usize| Tip::new(&self.stations[*i], self.options.part, moved, turned);
+            let tips = run.iter().map(tip).collect::<Result<Vec<_>, _>>()?;
+            let Some(of_run) = self.over_run(&tips, enough) else { return Ok(None) };
             lower = lower.max(of_run);
             if enough <= lower {
                 break;
@@ -162,63 +167,60 @@ impl Search<'_> {
     }
 
     /// A lower bound on the largest error of samples that one configuration holds, the best of all; `None` where none does.
-    fn over_run(
-        &self,
-        samples: &[usize],
-        enough: f64,
-        moved: &impl Fn(Vector3<f64>) -> Vector<5>,
-        turned: &impl Fn(Vector3<f64>) -> Vector<5>,
-    ) -> Result<Option<f64>, MillError> {
+    fn over_run(&self, tips: &[Tip<5>], enough: f64) -> Option<f64> {
+        let rolls: Vec<Interval> = match self.options.roll {
+            RollMode::Fixed(roll) => vec![Interval::point(roll)],
+            _ => (0..6).map(|i| Interval::spanning(TAU * f64::from(i) / 6.0, TAU * f64::from(i + 1) / 6.0)).collect(),
+        };
+        // The same for all configurations, where it comes to them.
+        let frames: Vec<OnceCell<Frames>> = vec![OnceCell::new(); tips.len()];
         let mut best: Option<f64> = None;
         let alike = self.arm.wrists_are_alike();
         for configuration in Configuration::ALL.into_iter().step_by(if alike { 2 } else { 1 }) {
             // A configuration that is no better than the best so far tells nothing more.
             let enough = best.map_or(enough, |best| best.min(enough));
             let mut worst = Some(0.0_f64);
-            for i in samples {
+            for (tip, frames) in tips.iter().zip(&frames) {
                 let Some(known) = worst.filter(|worst| *worst < enough) else { break };
-                let lower = self.over_rolls(&self.stations[*i], configuration, enough, moved, turned)?;
-                worst = lower.map(|lower| lower.max(known));
+                let turned = |roll: &Interval| (*roll, self.turned(tip, *roll));
+                let frames = frames.get_or_init(|| rolls.iter().map(turned).collect());
+                worst = self.over_rolls(tip, frames, configuration, enough).map(|lower| lower.max(known));
             }
             best = best.into_iter().chain(worst).reduce(f64::min);
         }
-        Ok(best)
+        best
+    }
+
+    fn turned(&self, tip: &Tip<5>, roll: Interval) -> ToolFrameEnclosure<5> {
+        tip.turned(&self.enclosure, sin_cos(roll, 4))
     }
 
     /// The least bound of a sample over all rolls, no further than `enough`; `None` where it is held at none.
-    fn over_rolls(
-        &self,
-        station: &Station,
-        configuration: Configuration,
-        enough: f64,
-        moved: &impl Fn(Vector3<f64>) -> Vector<5>,
-        turned: &impl Fn(Vector3<f64>) -> Vector<5>,
-    ) -> Result<Option<f64>, MillError> {
-        let mut rolls = match self.options.roll {
-            RollMode::Fixed(roll) => vec![Interval::point(roll)],
-            _ => (0..6).map(|i| Interval::spanning(TAU * f64::from(i) / 6.0, TAU * f64::from(i + 1) / 6.0)).collect(),
-        };
+    fn over_rolls(&self, tip: &Tip<5>, frames: &Frames, configuration: Configuration, enough: f64) -> Option<f64> {
         let mut open = Frontier::new();
-        let (mut least, mut parent): (Option<f64>, f64) = (None, 0.0);
-        loop {
-            for roll in rolls.drain(..) {
-                let held = Held { station, configuration, roll: sin_cos::<5>(roll, 4), part: self.options.part };
-                // Both wrists stand for one another where they are alike.
-                let bound = held.either_wrist(&self.enclosure, self.arm.wrists_are_alike(), moved, turned)?;
-                match bound.map(|lower| lower.max(parent)) {
-                    None => {}
-                    Some(lower) if enough <= lower => least = least.into_iter().chain([lower]).reduce(f64::min),
-                    Some(lower) => open.push(Cell { lower, roll }),
-                }
+        let mut least: Option<f64> = None;
+        let mut look = |roll: Interval, frame: &ToolFrameEnclosure<5>, parent: f64, open: &mut Frontier<Cell>| {
+            // Both wrists stand for one another where they are alike.
+            let bound = tip.either_wrist((&self.enclosure, self.arm.wrists_are_alike()), frame, configuration);
+            match bound.map(|lower| lower.max(parent)) {
+                None => {}
+                Some(lower) if enough <= lower => least = least.into_iter().chain([lower]).reduce(f64::min),
+                Some(lower) => open.push(Cell { lower, roll }),
             }
-            let Some(Cell { lower, roll }) = open.pop() else { return Ok(least) };
+        };
+        for (roll, frame) in frames {
+            look(*roll, frame, 0.0, &mut open);
+        }
+        while let Some(Cell { lower, roll }) = open.pop() {
             // Every other roll has at least as much.
             if roll.width() < FINEST_ROLL {
-                return Ok(Some(lower));
+                return Some(lower);
             }
-            parent = lower;
-            rolls.extend(roll.halves());
+            for half in roll.halves() {
+                look(half, &self.turned(tip, half), lower, &mut open);
+            }
         }
+        least
     }
 }
 

@@ -354,12 +354,13 @@ fn a_bound_over_rolls_is_below_each_of_them_and_near_to_the_least() {
         let floor = Floor::new(&question, &one);
         for _ in 0..60 {
             let station = &stations[rng.usize(0..stations.len())];
+            let tip = floor.tip(station).unwrap();
             let (from, width) = (rng.f64() * 6.0, [0.3, 1e-3][rng.usize(0..2)]);
             for configuration in Configuration::ALL {
                 let roll = |i: i32| from + width * f64::from(i) / 8.0;
                 let errors = (0..=8).map(|i| errors_at(&robot, &one, station, roll(i))[configuration.index()]);
                 let least = errors.fold(f64::INFINITY, f64::min);
-                let bound = floor.over(station, configuration, Interval::spanning(from, from + width)).unwrap();
+                let bound = floor.over(&tip, configuration, Interval::spanning(from, from + width));
                 let Some(bound) = bound else {
                     assert!(least == f64::INFINITY, "{configuration}: {least}");
                     continue;
