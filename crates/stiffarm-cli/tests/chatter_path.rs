@@ -123,7 +123,7 @@ fn the_answer_names_the_worst_line_what_is_not_covered_and_what_is_not_known() {
     assert!((reserve.expect("a number") * depth / least - 1.0).abs() < 1e-12);
     let deep = fs::read_to_string(PROCESS).expect("the example").replace("ap_mm = 3", "ap_mm = 250");
     fs::write(folder.path().join("deep.toml"), deep).expect("written");
-    let deep = ["mill", "part.nc", "--process", "deep.toml", "--chatter", "--check"];
+    let deep = ["mill", "part.nc", "--process", "deep.toml", "--at", MILL[5], "--chatter", "--check"];
     let (code, _, err) = run(folder.path(), &[&deep, &ROBOT, &TOOL, &HELD]);
     assert!(code == Some(3) && err.contains("a cut of 250.000 mm, line") && err.contains("swings from"), "{err}");
     // Without the word nothing is told of it.

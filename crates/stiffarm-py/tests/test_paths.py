@@ -64,9 +64,9 @@ def test_a_milled_path_is_the_programs(program) -> None:
 
 
 def test_robots_ranked_on_a_path_are_the_programs(program) -> None:
-    options = {"tool": "spindle:250@90", "force_n": 400, "step_mm": 50, "error": "across"}
+    options = {"tool": "spindle:250@90", "force_n": 400, "step_mm": 50, "error": "across", "within_m": "1.4..1.8,0.6..0.9"}
     ranked = stiffarm.mill("line:0.1", robots=["KR 210 R2700 extra", "Staubli TX340 SH", "IRB 6650S*"], vendor="KUKA", tolerance_mm=2, **options)
-    typed = ["--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "50", "--error", "across", "--tolerance-mm", "2"]
+    typed = ["--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "50", "--error", "across", "--tolerance-mm", "2", "--within", "1.4..1.8,0.6..0.9"]
     names = "KR 210 R2700 extra,Staubli TX340 SH,IRB 6650S*"
     assert ranked.to_dict() == program("mill", "line:0.1", "--robots", names, "--vendor", "KUKA", *typed)
     assert len(ranked) == 1 and "best KR 210 R2700 extra" in repr(ranked)
