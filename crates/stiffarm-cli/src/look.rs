@@ -1,10 +1,11 @@
 //! How is an answer shown? Plain or as Markdown, so wide as there is room, in colour where somebody sees it.
 
 use std::borrow::Cow;
-use std::io::{self, IsTerminal};
+use std::io::{self, IsTerminal, Write};
 
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
+use stiffarm::plain::on_its_lines;
 use terminal_size::{Width, terminal_size_of};
 
 /// Narrower than this, lines are longer than the room there is.
@@ -92,6 +93,14 @@ fn first_verdict(text: &str) -> Option<(&str, &str, Style, &str)> {
     });
     let (at, word, colour) = found.min_by_key(|(at, ..)| *at)?;
     Some((&text[..at], word, Style::new().fg_color(Some(colour.into())), &text[at + word.len()..]))
+}
+
+/// Talks to the user, beside the answer.
+pub(crate) fn say(text: &str) {
+    let look = Look::of_stderr();
+    let lines = look.coloured(&look.wrapped(&on_its_lines(text))).into_owned() + "\n";
+    // Where standard error is closed or full, nobody listens, and there is nowhere left to say so.
+    let _ = io::stderr().write_all(lines.as_bytes());
 }
 
 #[cfg(test)]

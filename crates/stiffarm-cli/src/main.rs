@@ -25,7 +25,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use args::Task;
 use common::Common;
 use failure::Failure;
-use output::say;
+use look::say;
 
 /// Of each thread, bytes: as much as the first one has.
 pub(crate) const STACK: usize = 8 << 20;

@@ -14,7 +14,7 @@ use stiffarm_ask::sources::target::target;
 use crate::columns::write_parquet;
 use crate::common::{Common, Format};
 use crate::failure::Failure;
-use crate::look::Look;
+use crate::look::{Look, say};
 use crate::pdf;
 use crate::progress::watched;
 use crate::raster;
@@ -272,12 +272,4 @@ fn of_stdout(error: io::Error) -> Failure {
 /// Writes to standard output.
 fn print(body: &Body) -> Result<(), Failure> {
     body.write(&mut io::stdout()).map_err(of_stdout)
-}
-
-/// Talks to the user, beside the answer.
-pub(crate) fn say(text: &str) {
-    let look = Look::of_stderr();
-    let lines = look.coloured(&look.wrapped(&on_its_lines(text))).into_owned() + "\n";
-    // Where standard error is closed or full, nobody listens, and there is nowhere left to say so.
-    let _ = io::stderr().write_all(lines.as_bytes());
 }

@@ -10,7 +10,7 @@ use stiffarm::watch::{Stopped, Waiting, Watch};
 use stiffarm_ask::ask::{Context, Listener};
 
 use crate::common::Common;
-use crate::output::say;
+use crate::look::say;
 
 impl Common {
     /// With what a question is asked.

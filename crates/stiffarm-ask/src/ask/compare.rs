@@ -8,7 +8,7 @@ use stiffarm::model::ModelKind;
 use stiffarm::robot::Robot;
 
 use super::context::Context;
-use super::place::PlaceOutput;
+use super::outputs::place::PlaceOutput;
 use crate::error::AskError;
 use crate::figures::FigureSize;
 use crate::figures::compare::CompareFigure;

@@ -1,35 +1,23 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
-use std::ops::Range;
-use std::path::Path;
-
-use crate::answer::{Headline, MillAnswer, Rows, Unit};
+use crate::answer::{Headline, MillAnswer, Rows};
 use crate::request::Request;
 use serde_json::Value;
-use stiffarm::catalogue::files;
-use stiffarm::mill::{RollMap, Stand};
-use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
-use stiffarm::toolpath::{Builtin, Format, Original, Understood};
+use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
 
 use super::context::Context;
-use super::drawing;
+use super::outputs::mill::{MillOutput, rolls};
 use super::path::{all_moves, read_beside};
-use super::reports::{self, Inputs};
+use super::reports;
 use crate::error::AskError;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{Cell, Point, Surface, View, Zone};
+use crate::figures::view3d::View;
 use crate::figures::{FigureSize, lobes};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece};
 use crate::report::Report;
-
-/// Places along the path of which the map of rolls shows every roll.
-const MAPPED: usize = 360;
-/// Places along the path that a view in space shows, and how high its ribbon stands, m.
-const MOST_POINTS: usize = 3000;
-const RIBBON: f64 = 0.02;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<MillOutput<'a>, AskError> {
     let path = asked.path()?;
@@ -40,115 +28,6 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<Mil
     let mut answer = context.watched("milling", milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(MillOutput { answer, asked, context, figure_size: FigureSize::of(asked)? })
-}
-
-pub(crate) struct MillOutput<'a> {
-    pub(crate) answer: MillAnswer,
-    asked: &'a Request,
-    context: Context<'a>,
-    pub(crate) figure_size: FigureSize,
-}
-
-impl MillOutput<'_> {
-    /// What it rests on that was read.
-    pub(crate) fn inputs(&self) -> Inputs {
-        Inputs::of(self.asked, self.context)
-    }
-
-    /// The path's own file with its tips led aside.
-    fn rewritten(&self, ending: &str) -> Result<Vec<u8>, AskError> {
-        let name = &self.answer.path;
-        if Builtin::is_meant(name) {
-            let why = format!(
-                "{name} is built in: there is no file to write back; -o path.src, path.mod or path.ls writes a robot program"
-            );
-            return Err(AskError::Usage(why));
-        }
-        if let Some(tool) = self.answer.only_tool {
-            let why = format!("only tool {tool} of {name} is milled: the file with all its tools is not written back");
-            return Err(AskError::Usage(why));
-        }
-        let options = self.asked.read_options();
-        let written = Format::of_name(&format!("a.{ending}"));
-        let read = self.asked.path_format(name)?;
-        if written != Some(read) {
-            let why = format!(
-                "{name} is {}: it is not written as .{ending}; choose an ending of its own format",
-                read.name()
-            );
-            return Err(AskError::Usage(why));
-        }
-        let (format, mut input) = (self.asked.path_format(name)?, self.context.sources.open(name)?);
-        let original = Original { input: &mut input, file: &files::shown(Path::new(name)), format, options: &options };
-        let mut output = Vec::new();
-        let found = self.answer.rewritten(original, &self.asked.steps(), &mut output)?;
-        if 0 < found.of_cycles {
-            self.context
-                .listener
-                .warn(&format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles));
-        }
-        Ok(output)
-    }
-}
-
-/// Every roll at places along the path.
-pub(crate) fn rolls(answer: &MillAnswer) -> Result<RollMap, AskError> {
-    let why = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
-    answer.roll_map(MAPPED)?.ok_or_else(why)
-}
-
-impl MillOutput<'_> {
-    /// The path as a ribbon at its place, the robot at the worst sample, or where it touches deepest.
-    fn in_space(&self) -> Result<View, AskError> {
-        let answer = &self.answer;
-        let nothing = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
-        let (found, placement) = answer.followed().zip(answer.placement).ok_or_else(nothing)?;
-        let failure = |error: ModelError| AskError::Place { robot: answer.robot.name.clone(), error: error.into() };
-        let model = Model::spatial(&answer.robot, &answer.flange_from_tool).map_err(failure)?;
-        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: answer.flange_from_tool };
-        let stride = answer.stations.len().div_ceil(MOST_POINTS).max(1);
-        let cell = |i: usize, above: f64| {
-            let (station, pushed) = (&answer.stations[i], &found.samples[i]);
-            let mm = station.sample.is_cutting.then(|| Unit::Millimetre.of_si(pushed.error));
-            Cell { at: stand.above(station, above), mm }
-        };
-        let row = |above: f64| (0..answer.stations.len()).step_by(stride).map(|i| cell(i, above)).collect();
-        let (error, worst) = found.worst;
-        let zone = Zone {
-            label: format!("{}: {:.3} mm at worst", answer.path, Unit::Millimetre.of_si(error)),
-            rim: Vec::new(),
-            surface: Some(Surface { rows: vec![row(0.0), row(RIBBON)] }),
-            worst: Some(cell(worst, 0.0)),
-        };
-        let stretch = |run: Range<usize>| run.map(|i| stand.above(&answer.stations[i], 0.0)).collect();
-        let touches = answer.deepest();
-        let pushed = &found.samples[touches.map_or(worst, |contact| contact.station)];
-        let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
-        let shown = answer
-            .deepest_sentence()
-            .map_or_else(|| "at the worst sample".into(), |told| format!("where it touches deepest ({told})"));
-        let clear_of = answer.options.clear_of.as_ref();
-        Ok(View {
-            title: format!("{} along {}", answer.robot.full_name(), answer.path),
-            notes: vec![answer.force.clone(), format!("the arm {shown}; the path as a ribbon above its tip")],
-            arm,
-            zone: Some(zone),
-            touching: (answer.touching_is_called(), answer.touching().into_iter().map(stretch).collect()),
-            colour_label: "error [mm]".into(),
-            scale: self.figure_size.ends(),
-            floor: true,
-            cell: answer.ground.cell,
-            part: clear_of.and_then(|clear_of| Some((clear_of.part.clone()?, stand.base_from_part))),
-            fixture: clear_of.and_then(|clear_of| Some((clear_of.fixture.clone()?, stand.base_from_part))),
-            stock: clear_of.and_then(|clear_of| clear_of.stock.as_ref()).map(|stock| corners_of(stock.block(), &stand)),
-            ..View::default()
-        })
-    }
-}
-
-/// Of a block in the part frame, by its low and high corner: base axes.
-fn corners_of(ends: [[f64; 3]; 2], stand: &Stand) -> [Point; 8] {
-    std::array::from_fn(|k| stand.base_from_part.transform_point(&[0, 1, 2].map(|i| ends[k >> i & 1][i]).into()).into())
 }
 
 /// In which forms it is shown.

@@ -17,6 +17,7 @@ pub mod measure;
 pub mod mill;
 pub mod modes;
 pub mod modes_over;
+mod outputs;
 pub mod path;
 pub mod path_ranking;
 pub mod place;

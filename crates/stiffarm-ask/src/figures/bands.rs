@@ -4,8 +4,9 @@ use stiffarm::palette::{GREY, INK, OVER, PAPER, TOLERANCE, UNDER, on_margin_scal
 
 use super::axes::{label, nice_step};
 use super::canvas::{Canvas, Font, Px, path};
-use super::contour::{Grid, Line, Node};
+use super::contour::Grid;
 use super::labels::{Labelled, Occupied};
+use super::line::{Line, Node};
 
 /// What the colours of a field stand for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

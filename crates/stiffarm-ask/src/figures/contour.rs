@@ -2,13 +2,8 @@
 
 use std::collections::HashMap;
 
+use super::line::{Line, Node};
 use super::stairs::without_stairs;
-
-/// A point in units of the grid: column and row, with fractions.
-pub(crate) type Node = [f64; 2];
-
-/// Points in order, the area meant on their left; a closed line ends where it begins.
-pub(crate) type Line = Vec<Node>;
 
 /// A field over columns and rows; `None` where it has no value.
 #[derive(Clone, Debug)]
@@ -195,13 +190,9 @@ fn linked(steps: &[Step]) -> Vec<Line> {
     lines
 }
 
-/// The area within a closed line, negative where it lies on the right.
-pub(crate) fn area(ring: &[Node]) -> f64 {
-    ring.windows(2).map(|p| p[0][0] * p[1][1] - p[1][0] * p[0][1]).sum::<f64>() / 2.0
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::line::area;
     use super::*;
 
     fn cone(present: impl Fn(f64, f64) -> bool) -> Grid {

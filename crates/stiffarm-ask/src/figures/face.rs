@@ -5,8 +5,9 @@ use stiffarm::task::Zone;
 use super::axes::{Axis, Frame};
 use super::bands::{Bands, Colours, Field};
 use super::canvas::{Canvas, Font, Px};
-use super::contour::{Grid, Node};
+use super::contour::Grid;
 use super::labels::Occupied;
+use super::line::Node;
 use super::scene::{draw_rim, rim, worst_mark};
 
 /// The longer side of the diagram, px.

@@ -19,6 +19,7 @@ pub(crate) mod hodograph;
 pub(crate) mod identify;
 mod labels;
 mod legend;
+mod line;
 pub(crate) mod lobes;
 pub(crate) mod map;
 mod marks;

@@ -7,8 +7,8 @@ use stiffarm::plane::{Elbow, ElbowSide, PlanarArm};
 
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, Px, path, rect_path};
-use super::contour::Node;
 use super::legend::{Entry, Legend};
+use super::line::Node;
 use super::map::edge;
 use super::scene::{Scene, links};
 use super::{FigureError, FigureSize};

@@ -8,7 +8,8 @@ use stiffarm::inverse::{Configuration, Shoulder};
 use stiffarm::map::PointsBetween;
 use stiffarm::plane::Elbow;
 
-use super::contour::{Grid, Line, Node};
+use super::contour::Grid;
+use super::line::{Line, Node};
 
 /// Between neighbours that hang together the roll turns by less than this, rad.
 const TURNS: f64 = 0.3;
@@ -171,7 +172,7 @@ fn apart(one: HeldPosture, other: HeldPosture) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::contour::area;
+    use super::super::line::area;
     use super::*;
     use stiffarm::inverse::Wrist;
 

@@ -1,6 +1,6 @@
 //! What was the edge of an area of which only the grid points inside are known?
 
-use super::contour::{Line, Node};
+use super::line::{Line, Node};
 
 /// A border through the middles of edges, with the treads of its stairs left out.
 ///

@@ -5,9 +5,10 @@ use stiffarm::palette::{BEST_RATIO, GREY, INK, PAPER, RATIOS};
 use super::axes::{Axis, Frame, heading};
 use super::bands::{Bands, Colours, Field};
 use super::canvas::{Canvas, Font, Px, path, rect_path};
-use super::contour::{Grid, Node};
+use super::contour::Grid;
 use super::labels::Occupied;
 use super::legend::{Entry, Legend};
+use super::line::Node;
 use super::{FigureError, FigureSize};
 
 const DASH: &str = r#"stroke-dasharray="7 4""#;

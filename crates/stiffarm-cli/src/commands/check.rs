@@ -13,7 +13,8 @@ use crate::common::Common;
 use stiffarm_ask::forms::{Answer, Forms, Piece};
 
 use crate::failure::Failure;
-use crate::output::{Outputs, say, verdict};
+use crate::look::say;
+use crate::output::{Outputs, verdict};
 
 pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open(common, FORMS)?;

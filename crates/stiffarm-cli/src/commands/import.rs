@@ -15,7 +15,8 @@ use stiffarm_ask::forms::{Answer, Forms, Makes, Piece};
 
 use crate::failure::Failure;
 use crate::look::Look;
-use crate::output::{Outputs, say};
+use crate::look::say;
+use crate::output::Outputs;
 use crate::progress::watched;
 use crate::table::shown;
 

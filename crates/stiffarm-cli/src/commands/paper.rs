@@ -8,7 +8,8 @@ use stiffarm_ask::paper::{self, NOT_MADE};
 use crate::args::PaperArgs;
 use crate::common::Common;
 use crate::failure::Failure;
-use crate::output::{say, write_text};
+use crate::look::say;
+use crate::output::write_text;
 use crate::progress::progress;
 
 pub(crate) fn run(args: &PaperArgs, common: &Common) -> Result<(), Failure> {

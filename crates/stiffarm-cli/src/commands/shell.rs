@@ -9,7 +9,8 @@ use clap_mangen::{Man, generate_to};
 use crate::args::command_without_hidden;
 use crate::common::Common;
 use crate::failure::Failure;
-use crate::output::{print_text, say};
+use crate::look::say;
+use crate::output::print_text;
 
 /// The script that lets a shell complete commands and options.
 pub(crate) fn completions(shell: Shell) -> Vec<u8> {

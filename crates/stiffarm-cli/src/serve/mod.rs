@@ -32,7 +32,8 @@ use crate::STACK;
 use crate::args::ServeArgs;
 use crate::common::Common;
 use crate::failure::Failure;
-use crate::output::{print_text, say};
+use crate::look::say;
+use crate::output::print_text;
 use work::Workshop;
 
 /// What all connections share.

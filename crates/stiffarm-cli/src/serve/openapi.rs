@@ -6,7 +6,6 @@ use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 use super::options::bounds;
 use super::reply::{Reply, json_reply};
-use super::route::address;
 use crate::args::VERBS;
 
 /// Every status that a question may have besides 200, and when.
@@ -362,4 +361,9 @@ fn options_schema() -> Value {
             } },
         },
     })
+}
+
+/// Of a verb behind `/api/`.
+pub(super) fn address(verb: Verb) -> String {
+    verb.name().replace(' ', "/")
 }

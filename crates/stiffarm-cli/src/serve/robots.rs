@@ -16,7 +16,7 @@ use super::Server;
 use super::answer::{without, written};
 use super::question::{check_name, decoded, form_of, object, query, unlike};
 use super::reply::{Refused, Reply, json_reply, keep_as, reply};
-use super::route::computed;
+use super::work::computed;
 use stiffarm_ask::ask::AskError;
 use stiffarm_ask::ask::robots::answer;
 

@@ -13,11 +13,11 @@ use tokio::time::timeout;
 use super::admission::{admit, is_json};
 use super::answer::answered;
 use super::form::Wanted;
+use super::openapi::address;
 use super::question::{Question, unlike, wanted_of};
 use super::reply::{Refused, Reply, guarded, keep_as, note, reply};
-use super::work::{Patience, aside};
+use super::work::{Patience, aside, within};
 use super::{Server, job, openapi, options, page, robots, stream, view};
-use crate::client::Client;
 
 /// Of a question, bytes: as large as a file may be.
 const MOST_BODY: usize = 4 << 20;
@@ -64,11 +64,6 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
             }
         }
     }
-}
-
-/// Of a verb behind `/api/`.
-pub(super) fn address(verb: Verb) -> String {
-    verb.name().replace(' ', "/")
 }
 
 /// The body of a question as JSON.
@@ -155,30 +150,4 @@ fn wait_of(headers: &HeaderMap) -> Option<Duration> {
     let seconds = preferences.flat_map(|said| said.split([',', ';'])).find_map(|one| one.trim().strip_prefix("wait="));
     // What is not understood is ignored, as the standard has it.
     seconds?.trim().parse().ok().map(Duration::from_secs)
-}
-
-/// Computes something in the time that every question has; with what was said beside it.
-pub(super) async fn computed(
-    server: &Arc<Server>,
-    work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
-) -> Result<(Vec<u8>, Vec<String>), Refused> {
-    within(server, None, work).await
-}
-
-/// The same for somebody who waits so long; who hangs up before stops the work.
-async fn within(
-    server: &Arc<Server>,
-    wait: Option<Duration>,
-    work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
-) -> Result<(Vec<u8>, Vec<String>), Refused> {
-    let client = Arc::new(Client::waiting());
-    let place = server.workshop.line_up(if wait.is_some() { Patience::Long } else { Patience::Short })?;
-    let limit = wait.unwrap_or(server.time_limit);
-    let late = |_| {
-        let why = format!("there was no answer after {} s", limit.as_secs());
-        let hint = "ask with Accept: application/x-ndjson: then it may take as long as somebody waits, and tells how far it is; or with Prefer: wait=SECONDS";
-        Refused::new(StatusCode::GATEWAY_TIMEOUT, why, hint)
-    };
-    let found = timeout(limit, server.workshop.work(place, Arc::clone(&client), work)).await;
-    Ok((found.map_err(late)??, client.remarks()))
 }

@@ -4,12 +4,15 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
+use std::time::Duration;
 
 use hyper::StatusCode;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task;
+use tokio::time::timeout;
 
+use super::Server;
 use super::reply::Refused;
 use crate::STACK;
 use crate::client::Client;
@@ -146,6 +149,32 @@ fn broken(panic: &(dyn Any + Send)) -> Refused {
         why,
         "this is a fault of the program, please report it with the question",
     )
+}
+
+/// Computes something in the time that every question has; with what was said beside it.
+pub(super) async fn computed(
+    server: &Arc<Server>,
+    work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
+) -> Result<(Vec<u8>, Vec<String>), Refused> {
+    within(server, None, work).await
+}
+
+/// The same for somebody who waits so long; who hangs up before stops the work.
+pub(super) async fn within(
+    server: &Arc<Server>,
+    wait: Option<Duration>,
+    work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
+) -> Result<(Vec<u8>, Vec<String>), Refused> {
+    let client = Arc::new(Client::waiting());
+    let place = server.workshop.line_up(if wait.is_some() { Patience::Long } else { Patience::Short })?;
+    let limit = wait.unwrap_or(server.time_limit);
+    let late = |_| {
+        let why = format!("there was no answer after {} s", limit.as_secs());
+        let hint = "ask with Accept: application/x-ndjson: then it may take as long as somebody waits, and tells how far it is; or with Prefer: wait=SECONDS";
+        Refused::new(StatusCode::GATEWAY_TIMEOUT, why, hint)
+    };
+    let found = timeout(limit, server.workshop.work(place, Arc::clone(&client), work)).await;
+    Ok((found.map_err(late)??, client.remarks()))
 }
 
 #[cfg(test)]

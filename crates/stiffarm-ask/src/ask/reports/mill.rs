@@ -5,7 +5,7 @@ use crate::request::Request;
 
 use super::place;
 use super::said::{figure_size, meaning, repeated};
-use crate::ask::mill::{MillOutput, rolls};
+use crate::ask::outputs::mill::{MillOutput, rolls};
 use crate::error::AskError;
 use crate::figures::milled::MilledFigure;
 use crate::figures::{FigureSize, lobes};

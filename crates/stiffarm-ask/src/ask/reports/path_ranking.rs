@@ -5,7 +5,7 @@ use crate::request::Request;
 
 use super::mill;
 use super::said::{figure_size, meaning, repeated};
-use crate::ask::path_ranking::PathRankOutput;
+use crate::ask::outputs::path_ranking::PathRankOutput;
 use crate::error::AskError;
 use crate::report::robots::provenance;
 use crate::report::{Block, Listing, Report, Section};

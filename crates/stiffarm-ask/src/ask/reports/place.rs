@@ -5,7 +5,7 @@ use crate::request::Request;
 use stiffarm::model::ModelKind;
 
 use super::said::{figure_size, meaning, repeated};
-use crate::ask::place::PlaceOutput;
+use crate::ask::outputs::place::PlaceOutput;
 use crate::error::AskError;
 use crate::figures::FigureSize;
 use crate::figures::shop::ShopFigure;

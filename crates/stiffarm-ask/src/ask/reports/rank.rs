@@ -10,8 +10,8 @@ use stiffarm::task::{Task, Zone};
 
 use super::place;
 use super::said::{figure_size, meaning, repeated};
-use crate::ask::place::PlaceOutput;
-use crate::ask::rank::{RankOutput, shapes};
+use crate::ask::outputs::place::PlaceOutput;
+use crate::ask::outputs::rank::{RankOutput, shapes};
 use crate::ask::study::StudyOutput;
 use crate::error::AskError;
 use crate::report::robots::provenance;

@@ -184,6 +184,11 @@ fn in_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c")
 }
 
+/// To a hundredth of a millimetre, m: nobody sees more, and the file stays small.
+fn length(m: f64) -> f64 {
+    (m * 1e5).round() / 1e5 + 0.0
+}
+
 #[cfg(test)]
 mod tests {
     use stiffarm::drive::Architecture;

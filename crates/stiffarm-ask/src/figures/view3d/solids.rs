@@ -5,8 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::{Unit, Vector3};
 use serde_json::{Value, json};
 
-use super::Point;
-use super::traces::length;
+use super::{Point, length};
 
 /// Sides of a round body, and rings of each of its rounded ends.
 const SIDES: usize = 18;

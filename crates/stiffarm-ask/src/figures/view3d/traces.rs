@@ -10,7 +10,7 @@ use stiffarm::palette::{
 
 use super::super::bands::Bands;
 use super::solids::Solid;
-use super::{Point, Surface, View};
+use super::{Point, Surface, View, length};
 use crate::markup::escaped;
 
 /// Radii of base, upper arm, forearm, hand and tool at their beginning, over the length of a link; each tapers to the next.
@@ -368,11 +368,6 @@ fn markers(name: &str, points: &[Point], texts: &[String]) -> Value {
 /// A place for people.
 fn place([x, y, z]: &Point) -> String {
     format!("x {x:.3} m, y {y:.3} m, z {z:.3} m")
-}
-
-/// To a hundredth of a millimetre, m: nobody sees more, and the file stays small.
-pub(crate) fn length(m: f64) -> f64 {
-    (m * 1e5).round() / 1e5 + 0.0
 }
 
 /// Six significant digits.
