@@ -354,6 +354,14 @@ fn check_count(given: &Given) -> Result<(), Refusal> {
     Err(Refusal::Count { at: at.clone(), name: at.name(setting), count, what, expected })
 }
 
+/// Checks that all of these are options of a verb, by their names alone: for a form that a person completes.
+///
+/// # Errors
+/// At the first that is none.
+pub fn check_names(verb: Verb, pairs: &[Pair]) -> Result<(), Refusal> {
+    pairs.iter().try_for_each(|pair| setting_of(verb, pair).map(drop))
+}
+
 /// The row that a name means to its reader.
 fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
     let Pair { name, at, .. } = pair;

@@ -1,6 +1,7 @@
 //! What does a job file ask that was opened in the page? Its verb, and every option as it is typed.
 
 use serde_json::{Map, Value, json};
+use stiffarm_ask::request::check_names;
 use stiffarm_ask::request::job::read_sent;
 
 use super::question::{check_name, object, unlike};
@@ -16,6 +17,8 @@ pub(super) fn understood(body: &[u8]) -> Result<Reply, Refused> {
     };
     check_name(name)?;
     let job = read_sent(text, name).map_err(Failure::from)?;
+    // A form has no field for what is no option, and would leave it out.
+    check_names(job.verb, &job.pairs).map_err(Failure::from)?;
     let mut options: Map<String, Value> = Map::new();
     for pair in job.pairs {
         match options.get_mut(&pair.name) {

@@ -94,7 +94,7 @@ fn what_is_sent_is_read_in_a_time_that_goes_with_its_length() {
     let with =
         |options: serde_json::Value, name: &str, text: &str| json!({ "options": options, "files": { name: text } });
     for (path, question, status) in [
-        ("/api/job", json!({ "name": "job.toml", "text": job }), 200),
+        ("/api/job", json!({ "name": "job.toml", "text": job }), 400),
         ("/api/job", json!({ "name": "job.toml", "text": listed }), 200),
         ("/api/job", json!({ "name": name, "text": "verb = 'place'" }), 400),
         ("/api/robots/check", json!({ "name": name, "text": "" }), 400),

@@ -208,6 +208,10 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
     }
     assert_eq!(held(&served, &whole, ("/api/job", "/api/job"), Some(&job)), 200);
     assert_eq!(held(&served, &whole, ("/api/job", "/api/job"), Some(&json!({ "name": "job.toml" }))), 400);
+    let wrong = json!({ "name": "job.toml", "text": "verb = 'place'\nrobot = 'BT200L'\ntsak = 'circle:0.3'\n" });
+    assert_eq!(held(&served, &whole, ("/api/job", "/api/job"), Some(&wrong)), 400);
+    let said = served.ask("/api/job", &wrong).text();
+    assert!(said.contains("tsak is no option of place; did you mean task?"), "{said}");
     for (body, status) in [
         (json!({ "options": {} }), 400),
         (json!({ "nothing": 1 }), 400),
