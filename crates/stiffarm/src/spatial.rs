@@ -53,7 +53,7 @@ impl Compliance {
     }
 }
 
-/// Eigenvalues of a symmetric matrix in closed form, the largest first: some eight times as fast as by rotations. Where two of them differ by
+/// Eigenvalues of a symmetric matrix in closed form, the largest first: some eight times as fast as by iteration. Where two of them differ by
 /// a small part `g` of the largest, they are known to `1e-15 / g` of it, and to 3e-8 in any case.
 pub(crate) fn eigenvalues(m: &Matrix3<f64>) -> [f64; 3] {
     let mean = m.trace() / 3.0;
@@ -70,7 +70,7 @@ pub(crate) fn eigenvalues(m: &Matrix3<f64>) -> [f64; 3] {
 
 /// The direction of one of its [`eigenvalues`] that is not zero, of length one; `None` where another one nearly agrees with it.
 pub(crate) fn eigenvector(m: &Matrix3<f64>, value: f64) -> Option<Vector3<f64>> {
-    // Across all columns of what it leaves, which two of them span.
+    // It is perpendicular to every column of `m - value`, and two of these span all of them.
     let [x, y, z] = [0, 1, 2].map(|i| (m - Matrix3::from_diagonal_element(value)).column(i).into_owned());
     let across = [x.cross(&y), y.cross(&z), z.cross(&x)];
     let longest =
