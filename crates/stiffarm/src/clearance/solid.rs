@@ -104,6 +104,12 @@ impl Capsule {
         self.ends.iter().map(|end| end.xy().norm()).fold(0.0, f64::max) + self.radius
     }
 
+    /// Turned about the joint-1 axis, rad.
+    pub(super) fn about_axis_1(&self, angle: f64) -> Self {
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
+        Self { ends: self.ends.map(|end| turn * end), ..*self }
+    }
+
     /// With flat ends in place of its round ones, and where that stands.
     pub(super) fn cylinder(&self) -> (Pose, Cylinder) {
         let [from, to] = self.ends;

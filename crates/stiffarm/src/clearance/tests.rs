@@ -84,6 +84,24 @@ fn a_box_in_the_way_of_every_posture_is_known_at_once() {
     }
 }
 
+/// Between the angles that are compared, too: of a box that ends 0.2 m from the joint-1 axis on one side the ball of 0.2 m about the joint-2 axis, 0.3 m
+/// from it, is 0.1 m deep where it stands out farthest, which is halfway between two of them.
+#[test]
+fn a_box_in_the_way_is_so_between_the_angles_that_are_compared() {
+    let mut robot = robot();
+    let mut enclosing = Enclosing::default();
+    let [shoulder, elbow] = [0.7, 1.7].map(|z| Vector3::new(0.3, 0.0, z));
+    enclosing.links[2].push(Capsule { ends: [shoulder, elbow], radius: 0.2 });
+    robot.enclosing = Some(enclosing);
+    let thick = ThickArm::new(&robot, &Pose::identity(), None).unwrap();
+    let halfway = 1.0_f64.to_radians();
+    let pose = Pose::rotation(Vector3::z() * halfway) * Pose::translation(-4.8, 0.0, 0.0);
+    let about = Surroundings { keep_out: vec![Solid::Box { pose, half: [5.0; 3] }], ..Surroundings::default() };
+    let near = thick.always_nearer(&about, 0.0).unwrap();
+    assert!((-0.1..-0.09).contains(&near.distance) && near.link == Link::UpperArm, "{near:?}");
+    assert_eq!(thick.always_nearer(&about, -0.1), None);
+}
+
 /// The column is 0.3 m thick about the joint-1 axis: a plinth and a slab carry it, a post 0.31 m beside that axis does not. Whatever joints move
 /// keeps out of all: the joint-2 axis stands 0.7 m high, 0.2 m thick, over a plinth of 0.4 m.
 #[test]

@@ -159,14 +159,13 @@ impl<'a> ThickArm<'a> {
     /// is compared no point of it moves farther than half a step of its arc.
     pub(crate) fn always_nearer(&self, about: &Surroundings, asked: f64) -> Option<Near> {
         let step = TAU / f64::from(TURNS);
-        let turned: Vec<Vec<Piece>> =
-            (0..TURNS).map(|i| self.turned_by_first(f64::from(i) * step, about.pedestal)).collect();
+        let pieces = self.turned_by_first(about.pedestal);
         let mut least: Option<Near> = None;
         for (number, solid) in (1..).zip(&about.keep_out) {
-            for (i, piece) in turned[0].iter().enumerate().filter(|(_, piece)| !piece.is_carried_by(solid)) {
-                let farthest = piece.capsule.farthest_from_axis_1() * step / 2.0;
-                let apart = turned.iter().map(|pieces| pieces[i].capsule.apart_from_solid(solid));
-                let distance = apart.fold(f64::NEG_INFINITY, f64::max) + farthest;
+            for piece in pieces.iter().filter(|piece| !piece.is_carried_by(solid)) {
+                let between = piece.capsule.farthest_from_axis_1() * step / 2.0;
+                let apart = (0..TURNS).map(|i| piece.capsule.about_axis_1(f64::from(i) * step).apart_from_solid(solid));
+                let distance = apart.fold(f64::NEG_INFINITY, f64::max) + between;
                 if distance < least.map_or(asked, |near| near.distance) {
                     least = Some(Near { distance, link: piece.link, to: Obstacle::KeepOut(number) });
                 }
@@ -175,10 +174,9 @@ impl<'a> ThickArm<'a> {
         least
     }
 
-    /// What only joint 1 moves, at its model angle.
-    fn turned_by_first(&self, theta: f64, pedestal: f64) -> Vec<Piece> {
-        let theta = [theta, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let [_, shoulder, ..] = self.geometry.points(&theta).map(Vector3::from);
+    /// What no joint but the first moves, at model zero.
+    fn turned_by_first(&self, pedestal: f64) -> Vec<Piece> {
+        let [_, shoulder, ..] = self.geometry.points(&[0.0; 6]).map(Vector3::from);
         let at_shoulder = Capsule { ends: [shoulder; 2], radius: 0.0 };
         let kept = |piece: Piece| match piece.number {
             0 | 1 => Some(piece),
@@ -188,7 +186,7 @@ impl<'a> ThickArm<'a> {
             }
             _ => None,
         };
-        self.pieces(&theta, pedestal).into_iter().filter_map(kept).collect()
+        self.pieces(&[0.0; 6], pedestal).into_iter().filter_map(kept).collect()
     }
 
     /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
