@@ -14,8 +14,7 @@ use crate::common::{Common, Format};
 use stiffarm_ask::forms::{Answer, Forms, Makes, Piece};
 
 use crate::failure::Failure;
-use crate::look::Look;
-use crate::look::say;
+use crate::look::{Look, say};
 use crate::output::Outputs;
 use crate::progress::watched;
 use crate::table::shown;
