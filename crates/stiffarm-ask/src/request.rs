@@ -17,6 +17,7 @@ pub(crate) mod opt;
 mod options;
 mod parsed;
 mod path;
+mod placing;
 mod python;
 mod reading;
 mod refusal;
@@ -24,6 +25,7 @@ mod sent;
 mod setting;
 mod settings;
 mod sides;
+mod study;
 mod value;
 mod verb;
 mod words;
@@ -276,42 +278,6 @@ impl Request {
                 Err(Refusal::Excludes { at: at.clone(), name: at.name(setting), other })
             }
         }
-    }
-
-    /// On several tasks no one knows which side is meant.
-    fn check_long_side(&self) -> Result<(), Refusal> {
-        let is_long = matches!(self.angle(), Angle::Horizontal | Angle::Vertical);
-        match (self.find(opt::ANGLE), self.verb.setting(opt::TASK)) {
-            (Some(Given { setting, at, .. }), Some(task)) if is_long && 1 < self.tasks().len() => {
-                Err(Refusal::LongSide { at: at.clone(), name: at.name(setting), task: at.name(task) })
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// A part says itself how the tool meets each face, and has the faces that are asked for.
-    fn check_parts(&self) -> Result<(), Refusal> {
-        let refused = |name: &str, why: &str| {
-            let given = self.find(name).expect("it was given");
-            Refusal::Unanswered { at: given.at.clone(), name: given.at.name(given.setting), why: why.into() }
-        };
-        let tasks = self.all(opt::TASK);
-        let has_part = tasks.iter().any(|task| task.work.part().is_some());
-        for name in [opt::TOOL_DIRECTION.name, opt::YAW_DEG.name] {
-            if has_part && self.is_given(name) {
-                return Err(refused(name, "a part says itself how the tool meets each face"));
-            }
-        }
-        if !self.is_given(opt::FACES) {
-            return Ok(());
-        }
-        if !has_part {
-            return Err(refused("faces", "a flat zone is one face; a part is such as box:0.8x0.5x0.1"));
-        }
-        for part in tasks.iter().filter_map(|task| task.work.part()) {
-            part.with_faces(&self.all(opt::FACES)).map_err(|error| refused("faces", &error.to_string()))?;
-        }
-        Ok(())
     }
 
     fn missing(&self, name: impl AsRef<str>) -> Refusal {
