@@ -118,6 +118,7 @@ impl Request {
             request.check_others(given)?;
         }
         request.check_long_side()?;
+        request.check_has_sides()?;
         request.check_parts()?;
         request.check_force()?;
         request.check_markers()?;

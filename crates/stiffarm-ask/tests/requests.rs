@@ -344,6 +344,14 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
         (Verb::Rank, &[("angle", "vertical")], "--angle horizontal or vertical means the long side of one task; give"),
         (
             Verb::Place,
+            &[("task", "circle:0.3"), ("angle", "30")],
+            "--angle turns no circle; the feed of a force counts",
+        ),
+        (Verb::Rank, &[("task", "A:0.3,circle:0.1"), ("angle", "free")], "--angle turns no circle"),
+        (Verb::Map, &[("zone", "circle:0.3"), ("angle", "0")], "--angle turns no circle"),
+        (Verb::Modes, &[("task", "A:0.3"), ("at", "1,1"), ("angle", "0")], "--angle turns no circle"),
+        (
+            Verb::Place,
             &[("drive-urad-per-nm", "1,2")],
             "--drive-urad-per-nm has 2 values; expected one for every drive, or six",
         ),

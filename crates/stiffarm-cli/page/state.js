@@ -53,6 +53,8 @@ export function change(changes, next = shown) {
     if (text === (first.get(key) ?? "")) values.delete(key);
     else values.set(key, text);
   }
+  // The angle at which a rectangle was left by hand turns no circle.
+  if (/^(circle|A):/i.test(changes.task ?? "")) values.delete("angle");
   const what = next === shown ? Object.keys(changes).sort().join() : next;
   shown = next;
   history[what === changed ? "replaceState" : "pushState"](null, "", address());

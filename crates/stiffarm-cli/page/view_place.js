@@ -9,7 +9,7 @@ import { change, question, value } from "./state.js";
 import { list, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 import { textOf } from "./window.js";
-import { rounded, taskOf } from "./zone.js";
+import { rounded, taskOf, zoneOf } from "./zone.js";
 
 /** @typedef {import("./zone.js").Spot} Spot */
 
@@ -30,8 +30,10 @@ let studied = "";
 
 const shown = () => (value("shows") in shows ? value("shows") : "section");
 
+const hasSides = () => zoneOf(value("task"))?.shape !== "circle";
+
 /** What stands under the hand has no other place to go. @param {Spot} at */
-const here = ({ x, z }) => ({ at: [x, z], ...(value("angle") === "" && typeof proved.angle_deg === "number" ? { angle: String(proved.angle_deg) } : {}) });
+const here = ({ x, z }) => ({ at: [x, z], ...(hasSides() && value("angle") === "" && typeof proved.angle_deg === "number" ? { angle: String(proved.angle_deg) } : {}) });
 
 const evaluate = oneInFlight(async (/** @type {Spot} */ at) => {
   tell(await fields("place", question("place", here(at))), at);
@@ -55,6 +57,7 @@ function resized(zone) {
 
 /** @param {number} deg */
 function turned(deg) {
+  if (!hasSides()) return;
   const given = Number.parseFloat(value("angle"));
   const now = Number.isFinite(given) ? given : Number(proved.angle_deg) || 0;
   change({ angle: String((now + deg + 180) % 180) });

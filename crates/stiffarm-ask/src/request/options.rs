@@ -45,6 +45,9 @@ pub enum Unsupported {
         "horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
     )]
     LongSide,
+    /// Of a circle every angle is alike.
+    #[error("turns no circle; the feed of a force counts from straight ahead there")]
+    Round,
     /// A vertical tool has no yaw.
     #[error("turns nothing where the tool points straight down or up; the angle of the zone does")]
     Yaw,
@@ -77,7 +80,7 @@ impl Unsupported {
     /// The option that says it.
     pub(super) const fn setting(self) -> &'static str {
         match self {
-            Self::LongSide | Self::FreeAtOnePlace => opt::ANGLE.name,
+            Self::LongSide | Self::Round | Self::FreeAtOnePlace => opt::ANGLE.name,
             Self::Middle => opt::AT.name,
             Self::Yaw | Self::YawAtOnePlace => opt::YAW_DEG.name,
             Self::CellInPlane => opt::WITHIN.name,

@@ -187,6 +187,15 @@ impl Request {
         }
     }
 
+    /// An angle turns what has sides.
+    pub(super) fn check_has_sides(&self) -> Result<(), Refusal> {
+        let zones = self.zone().into_iter().chain(self.get(opt::FLAT_TASK)).map(|task| Work::Zone(task.work));
+        let works: Vec<Work> = self.all(opt::TASK).into_iter().map(|task| task.work).chain(zones).collect();
+        let is_circle = |work: &Work| matches!(work, Work::Zone(zone) if zone.is_round());
+        let has_circles_alone = !works.is_empty() && works.iter().all(is_circle);
+        if has_circles_alone && self.is_given(opt::ANGLE) { Err(self.unanswered(Unsupported::Round)) } else { Ok(()) }
+    }
+
     /// A part says itself how the tool meets each face, and has the faces that are asked for.
     pub(super) fn check_parts(&self) -> Result<(), Refusal> {
         let refused = |name: &str, why: &str| self.refused(name, why.into());

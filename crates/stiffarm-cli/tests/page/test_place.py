@@ -74,6 +74,17 @@ def test_the_zone_is_resized_and_turned_by_keys(look: Open) -> None:
     page.wait_for_url("**angle=5*")
 
 
+def test_a_circle_has_no_angle(look: Open) -> None:
+    page = look("#place?at=1.5,0.7&angle=0")
+    page.get_by_label("task", exact=True).fill("circle:0.3")
+    page.wait_for_url("**?at=1.5%2C0.7&task=circle%3A0.3")
+    page.locator(ZONE).focus()
+    page.keyboard.press("[")
+    page.keyboard.press("ArrowRight")
+    page.wait_for_url("**?at=1.501%2C0.7&task=circle%3A0.3")
+    expect(page.locator(".live")).to_contain_text("x 1.501, z 0.700 m")
+
+
 def test_in_space_the_side_that_is_seen_is_resized(look: Open) -> None:
     page = look("#place?model=spatial&force-n=400&tool=spindle:250@90&at=1.3,0.9&angle=0")
     page.locator("#look .over .handle").focus()

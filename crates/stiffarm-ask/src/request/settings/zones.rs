@@ -294,7 +294,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "ANGLE",
         absent: Absent::Default("axes"),
         needs: A_ZONE,
-        help: "Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of its first side",
+        help: "Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of its first side",
         example: "30",
         ..ROW
     }),
