@@ -12,9 +12,9 @@ export class Refusal extends Error {
   }
 }
 
-/** @param {unknown} told @returns {Refusal} */
-function refusal(told) {
-  const { error, hint } = /** @type {{error?: string, hint?: string}} */ (told ?? {});
+/** @param {unknown} body @returns {Refusal} */
+function refusal(body) {
+  const { error, hint } = /** @type {{error?: string, hint?: string}} */ (body ?? {});
   return new Refusal(error ?? "the server gave no reason", hint ?? "");
 }
 
@@ -76,10 +76,10 @@ async function watched(verb, question, as, signal, tell) {
     const lines = rest.split("\n");
     rest = done ? "" : (lines.pop() ?? "");
     for (const line of lines.filter((line) => line.trim() !== "")) {
-      const told = JSON.parse(line);
-      if (told.progress) tell?.(told.progress);
-      else if ("answer" in told) return told.answer;
-      else throw refusal(told);
+      const message = JSON.parse(line);
+      if (message.progress) tell?.(message.progress);
+      else if ("answer" in message) return message.answer;
+      else throw refusal(message);
     }
     if (done) throw new Refusal("the answer broke off", "");
   }
@@ -113,8 +113,8 @@ export class Newest {
     this.#running?.abort();
     const running = (this.#running = new AbortController());
     try {
-      const told = await task(running.signal);
-      return running.signal.aborted ? undefined : told;
+      const result = await task(running.signal);
+      return running.signal.aborted ? undefined : result;
     } catch (fault) {
       if (running.signal.aborted) return undefined;
       throw fault;

@@ -34,8 +34,8 @@ export async function packed(texts) {
 /** @param {string} text @returns {Promise<Record<string, string>>} */
 export async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text.replace(/-/g, "+").replace(/_/g, "/")), (letter) => letter.charCodeAt(0));
-  const told = JSON.parse(new TextDecoder().decode(await through(new Blob([bytes]), new DecompressionStream("deflate-raw"))));
-  return Object.fromEntries(Object.entries(told).filter(([, content]) => typeof content === "string"));
+  const texts = JSON.parse(new TextDecoder().decode(await through(new Blob([bytes]), new DecompressionStream("deflate-raw"))));
+  return Object.fromEntries(Object.entries(texts).filter(([, content]) => typeof content === "string"));
 }
 
 /** @param {Blob} blob @param {CompressionStream | DecompressionStream} way */

@@ -95,8 +95,8 @@ async function share() {
   const along = await packed(files);
   await navigator.clipboard.writeText(addressWith(along ?? ""));
   const names = Object.keys(files).join(", ");
-  const told = along === null ? `without ${names}, too long for an address: hand that on beside it` : "it holds the whole question";
-  byId("shared").textContent = `copied: ${told}`;
+  const note = along === null ? `without ${names}, too long for an address: hand that on beside it` : "it holds the whole question";
+  byId("shared").textContent = `copied: ${note}`;
 }
 
 async function begin() {

@@ -118,12 +118,12 @@ export function pickRobots(row, key, described) {
 
 /** What the checker says of a robot file; one with faults is not kept. @param {string} name @param {string} text */
 async function checked(name, text) {
-  const told = await call("/api/robots/check", { name, text }).catch((fault) => ({ robot: null, faults: `${fault.message}\n${fault.hint ?? ""}`, notes: [] }));
-  const faults = Array.isArray(told.faults) ? told.faults.map(line) : [String(told.faults)].filter((fault) => fault !== "");
-  const notes = (told.notes ?? []).map(line);
-  if (!told.robot) forget(name);
-  say(told.robot ? `${name} can be used` : `${name} cannot be used`);
-  const head = el("p", { class: told.robot ? "" : "fail" }, [told.robot ? `${name}: ${told.robot.robot} can be used` : `${name} cannot be used`]);
+  const result = await call("/api/robots/check", { name, text }).catch((fault) => ({ robot: null, faults: `${fault.message}\n${fault.hint ?? ""}`, notes: [] }));
+  const faults = Array.isArray(result.faults) ? result.faults.map(line) : [String(result.faults)].filter((fault) => fault !== "");
+  const notes = (result.notes ?? []).map(line);
+  if (!result.robot) forget(name);
+  say(result.robot ? `${name} can be used` : `${name} cannot be used`);
+  const head = el("p", { class: result.robot ? "" : "fail" }, [result.robot ? `${name}: ${result.robot.robot} can be used` : `${name} cannot be used`]);
   return [head, ...[...faults, ...notes].map((words) => el("p", {}, [words]))];
 }
 

@@ -89,9 +89,9 @@ export class Section {
     const of = JSON.stringify(asked);
     if (this.grid?.of !== of) {
       this.grid = { of, x: [], z: [], mm: [] };
-      const told = await this.newest.run((signal) => fields("map", asked, signal)).catch(() => undefined);
-      if (!told) return;
-      this.grid = { of, x: told.x_m, z: told.z_m, mm: told.worst_mm };
+      const answer = await this.newest.run((signal) => fields("map", asked, signal)).catch(() => undefined);
+      if (!answer) return;
+      this.grid = { of, x: answer.x_m, z: answer.z_m, mm: answer.worst_mm };
     }
     const [i, j] = [nearest(this.grid.x, x), nearest(this.grid.z, z)];
     const mm = j < 0 || i < 0 ? null : this.grid.mm[j]?.[i];

@@ -125,14 +125,14 @@ export function question(verb, changed = {}) {
   return { options, files: named(JSON.stringify(options)) };
 }
 
-/** The files that a question names, and those that they name themselves: a process its table of forces. @param {string} told */
-function named(told) {
+/** The files that a question names, and those that they name themselves: a process its table of forces. @param {string} json */
+function named(json) {
   /** @type {Record<string, string>} */
   const found = {};
-  const texts = [told];
+  const texts = [json];
   for (const text of texts) {
     for (const [name, content] of files) {
-      const written = text === told ? JSON.stringify(name).slice(1, -1) : name;
+      const written = text === json ? JSON.stringify(name).slice(1, -1) : name;
       if (name in found || !text.includes(written)) continue;
       found[name] = content;
       texts.push(content);

@@ -22,9 +22,9 @@
 /** @type {Map<string, Row[]>} */
 const verbs = new Map();
 
-/** @param {{verbs: {verb: string, options: Row[]}[]}} told */
-export function learn(told) {
-  for (const { verb, options } of told.verbs) verbs.set(verb, options);
+/** @param {{verbs: {verb: string, options: Row[]}[]}} table */
+export function learn(table) {
+  for (const { verb, options } of table.verbs) verbs.set(verb, options);
 }
 
 /** @param {string} verb @returns {Row[]} */

@@ -1,11 +1,11 @@
 // Does the file speak as the pendant does, and where does this very arm stand? Two tables, what follows of each, and the robot file.
 
+import { list, sortable, verdict, words } from "./answer.js";
 import { forms } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { useRobot } from "./open.js";
 import { question, value } from "./state.js";
-import { list, sortable, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
 const READINGS = "verify.data";
@@ -43,16 +43,16 @@ async function verified(signal) {
   pendant.replaceChildren();
   if (value(READINGS) === "") return [];
   const now = question(VERIFY);
-  const { json: answer, tables: told } = await forms(VERIFY, now, ["json", "tables"], signal, progress);
+  const { json: answer, tables: { tables, sentences } } = await forms(VERIFY, now, ["json", "tables"], signal, progress);
   // Of all robots there is the table of them alone.
   const isOfOne = "robot" in answer;
-  const about = isOfOne ? told.tables[0] : undefined;
-  const fits = told.tables[isOfOne ? 1 : 0];
+  const about = isOfOne ? tables[0] : undefined;
+  const fits = tables[isOfOne ? 1 : 0];
   const label = answer.verified ? "verified" : isOfOne ? "NOT verified" : String(answer.fits[0]?.robot ?? "none");
   pendant.append(
     verdict(label, isOfOne ? "the file counts the joints as they were read" : "the robot that fits best", null, about?.lead?.rests_on ?? ""),
     ...(about ? [list(about)] : []),
-    words(told.sentences.flat()),
+    words(sentences.flat()),
     ...(answer.verified ? [button("use this file in the other views", () => useRobot(VERIFY, "verified.toml"), { class: "main" })] : []),
     takeaway(() => ({ verb: VERIFY, question: question(VERIFY) }), [...(isOfOne ? [/** @type {[string, string]} */ (["robot file", "toml"])] : []), ["CSV", "csv"], ["JSON", "json"]]),
   );
@@ -65,14 +65,14 @@ async function calibrated(signal) {
   tracker.replaceChildren();
   if (value(POINTS) === "") return [];
   const now = question("calibrate");
-  const { tables: told, svg } = await forms("calibrate", now, ["json", "tables", "svg"], signal, progress);
-  const [about, levels] = told.tables;
+  const { tables: { tables, sentences }, svg } = await forms("calibrate", now, ["json", "tables", "svg"], signal, progress);
+  const [about, levels] = tables;
   await picture.show(svg ?? "");
   const { value: label, means, rests_on: atWork } = about.lead;
   tracker.append(
     verdict(label, means, null, `at the work: ${atWork}`),
     list(about),
-    words(told.sentences.flat()),
+    words(sentences.flat()),
     button("use this robot in the other views", () => useRobot("calibrate", "calibrated.toml"), { class: "main" }),
     takeaway(() => ({ verb: "calibrate", question: question("calibrate") }), [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report"]]),
   );

@@ -1,11 +1,11 @@
 // How stiff is my robot really? What to measure, and what follows of it.
 
+import { list, sortable, verdict, words } from "./answer.js";
 import { forms } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { opener, useRobot } from "./open.js";
 import { change, question, value } from "./state.js";
-import { list, sortable, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
 const DATA = "identify.data";
@@ -32,13 +32,13 @@ export const measure = {
   async update(signal) {
     await identify(signal);
     const now = question("measure");
-    const { tables: told, svg } = await forms("measure", now, ["json", "tables", "svg"], signal, progress);
-    const [about, runs] = told.tables;
+    const { tables: { tables, sentences }, svg } = await forms("measure", now, ["json", "tables", "svg"], signal, progress);
+    const [about, runs] = tables;
     const { value: label, means, rests_on } = about.lead;
     says.replaceChildren(
       verdict(label, means, null, rests_on),
       list(about),
-      words(told.sentences.flat()),
+      words(sentences.flat()),
     );
     if (runs) plan.replaceChildren(sortable(runs, "postures to measure"), drawn.image);
     await drawn.show(svg ?? "");
@@ -54,15 +54,15 @@ async function identify(signal) {
     return;
   }
   const now = question("identify");
-  const { tables: told, svg } = await forms("identify", now, ["json", "tables", "svg"], signal, progress);
-  const [about, drives] = told.tables;
+  const { tables: { tables, sentences }, svg } = await forms("identify", now, ["json", "tables", "svg"], signal, progress);
+  const [about, drives] = tables;
   await picture.show(svg ?? "");
   fit.replaceChildren(el("h2", {}, ["What the measurements say"]), picture.image, ...(drives ? [sortable(drives, "drives as found")] : []));
   const { value: label, means, rests_on } = about.lead;
   found.replaceChildren(
     verdict(label, means, null, rests_on),
     list(about),
-    words(told.sentences.flat()),
+    words(sentences.flat()),
     button("use this robot in the other views", () => useRobot("identify", "identified.toml"), { class: "main" }),
     takeaway(identified, [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report"]]),
   );

@@ -1,12 +1,12 @@
 // Does this program hold the tolerance? The error along a toolpath, at rolls that are proved best.
 
+import { list, verdict, words } from "./answer.js";
 import { fields, forms, oneInFlight } from "./ask.js";
 import { CellPlan, textOf as standOf } from "./cell.js";
 import { button, el, say } from "./dom.js";
 import { Picture, Space, takeaway } from "./figure.js";
 import { Rolls, pinsOf, textOf } from "./rolls.js";
 import { change, question, value } from "./state.js";
-import { list, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
 /** @typedef {import("./rolls.js").Pin} Pin */
@@ -24,7 +24,7 @@ const pinning = button("pin a roll", () => change(pinned([...pinsOf(value("mill.
 const unpinning = button("no pins", () => change({ "mill.pin": "" }));
 const programs = el("div");
 /** @type {any} What was answered last. */
-let told = {};
+let latest = {};
 const shown = () => (value("milled") in shows && (value("milled") !== "lobes" || asksChatter()) ? value("milled") : "rolls");
 const asked = () => ({ verb: "mill", question: question("mill") });
 /** @type {[string, string][]} */
@@ -41,8 +41,8 @@ function draw() {
 
 /** Half way along the path, the roll between the smallest and the largest that is taken. @returns {Pin} */
 function middle() {
-  const { from_deg = 0, to_deg = 0 } = told.roll ?? {};
-  return { mm: 500 * (told.part?.length_m ?? 0), deg: (from_deg + to_deg) / 2 };
+  const { from_deg = 0, to_deg = 0 } = latest.roll ?? {};
+  return { mm: 500 * (latest.part?.length_m ?? 0), deg: (from_deg + to_deg) / 2 };
 }
 
 /** Pins are of a part that stands somewhere, and leave the rolls between them free. @param {Pin[]} pins */
@@ -63,7 +63,7 @@ async function showRolls(drawn) {
 
 /** Where the path's origin stands, as was answered last and as `at` counts it: in the cell, where there is one. @returns {import("./cell.js").Stand | null} */
 function standing() {
-  const [[x, y, z], yaw] = told.cell_m ? [told.cell_m, told.cell_yaw_deg] : [told.at_m ?? [], told.at_yaw_deg];
+  const [[x, y, z], yaw] = latest.cell_m ? [latest.cell_m, latest.cell_yaw_deg] : [latest.at_m ?? [], latest.at_yaw_deg];
   return [x, y, z, yaw].every((number) => typeof number === "number") ? [x, y, z, yaw] : null;
 }
 
@@ -99,9 +99,9 @@ export const mill = {
     if (now.options["robot"] === undefined || now.options["dry"] === true) return dry(signal);
     const wanted = ["json", "tables", "svg", "shop", ...(asksChatter() ? ["lobes"] : [])];
     const { json: answer, tables: { tables, sentences }, svg, shop, lobes: depths } = await forms("mill", now, wanted, signal, progress);
-    told = answer;
+    latest = answer;
     // Of several tools no table of one decides.
-    const { lead } = tables.find((/** @type {import("./told.js").Sheet} */ sheet) => sheet.lead) ?? {};
+    const { lead } = tables.find((/** @type {import("./answer.js").Sheet} */ sheet) => sheet.lead) ?? {};
     const label = answer.feasible ? lead.value : value("mill.at") === "" ? "no place" : "not followed";
     const means = answer.feasible ? lead.means : String(answer.reason ?? "");
     says.replaceChildren(verdict(label, means, answer, lead?.rests_on ?? ""), ...tables.map(list), words(sentences.flat()));

@@ -1,12 +1,12 @@
 // Where must the work stand? The zone is moved by hand, and the best place is proved.
 
+import { list, verdict, words } from "./answer.js";
 import { fields, forms, oneInFlight } from "./ask.js";
 import { Comparison, add } from "./compare.js";
 import { button, el, say } from "./dom.js";
 import { Picture, Space, takeaway } from "./figure.js";
 import { Section } from "./section.js";
 import { change, question, value } from "./state.js";
-import { list, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 import { textOf } from "./window.js";
 import { rounded, taskOf, zoneOf } from "./zone.js";
@@ -68,10 +68,10 @@ const bestWithin = (within) => ({ within, at: "", ...(value("at") === "" ? {} : 
 
 const search = oneInFlight(async (/** @type {string} */ within) => {
   const asked = Object.fromEntries(Object.entries(bestWithin(within)).map(([name, text]) => [name, text === "" ? undefined : text]));
-  const told = await fields("place", question("place", asked));
+  const found = await fields("place", question("place", asked));
   if (!section.window.isHeld) return;
-  tell(told, null, false);
-  section.lay(told, told);
+  tell(found, null, false);
+  section.lay(found, found);
 });
 
 /** @param {import("./window.js").Window} window */
@@ -84,26 +84,26 @@ function limited(window) {
   change(bestWithin(textOf(window)));
 }
 
-/** The values of a place that stands, or is under the hand. @param {any} told @param {Spot | null} at @param {boolean} [isHere] it was set by hand */
-function tell(told, at, isHere = at !== null || value("at") !== "") {
+/** The values of a place that stands, or is under the hand. @param {any} found @param {Spot | null} at @param {boolean} [isHere] it was set by hand */
+function tell(found, at, isHere = at !== null || value("at") !== "") {
   const mm = (/** @type {unknown} */ number, digits = 4) => (typeof number === "number" ? number.toFixed(digits) : "");
-  const [wx, , wz] = /** @type {number[]} */ (told.worst_point_m ?? []);
-  const where = at ? `x ${mm(at.x, 3)}, z ${mm(at.z, 3)} m` : `x ${mm(told.x_m, 3)}, z ${mm(told.z_m, 3)} m`;
+  const [wx, , wz] = /** @type {number[]} */ (found.worst_point_m ?? []);
+  const where = at ? `x ${mm(at.x, 3)}, z ${mm(at.z, 3)} m` : `x ${mm(found.x_m, 3)}, z ${mm(found.z_m, 3)} m`;
   /** @type {[string, string][]} */
-  const rows = told.feasible
+  const rows = found.feasible
     ? [
-        ["deflection", `${mm(told.deflection_mm)} mm`], ["stands at", where], ["worst point", `x ${mm(wx, 3)}, z ${mm(wz, 3)} m`],
-        ["smallest margin", `${mm(told.smallest_margin_deg, 1)} deg, ${told.smallest_margin_of ?? ""}`],
+        ["deflection", `${mm(found.deflection_mm)} mm`], ["stands at", where], ["worst point", `x ${mm(wx, 3)}, z ${mm(wz, 3)} m`],
+        ["smallest margin", `${mm(found.smallest_margin_deg, 1)} deg, ${found.smallest_margin_of ?? ""}`],
       ]
-    : [["deflection", "not reached"], ["stands at", at || typeof told.x_m === "number" ? where : "no place"], ["why", String(told.reason ?? "")]];
-  if (told.feasible && typeof told.clearance_mm === "number") rows.push(["clearance", `${mm(told.clearance_mm, 0)} mm, ${told.clearance_of ?? ""}`]);
+    : [["deflection", "not reached"], ["stands at", at || typeof found.x_m === "number" ? where : "no place"], ["why", String(found.reason ?? "")]];
+  if (found.feasible && typeof found.clearance_mm === "number") rows.push(["clearance", `${mm(found.clearance_mm, 0)} mm, ${found.clearance_of ?? ""}`]);
   if (isHere && typeof proved.deflection_mm === "number") rows.push(["best place", `${mm(proved.deflection_mm)} mm, x ${mm(proved.x_m, 3)}, z ${mm(proved.z_m, 3)} m`]);
-  const holds = told.feasible ? told : null;
+  const holds = found.feasible ? found : null;
   live.replaceChildren(
     verdict(rows.shift()?.[1] ?? "", `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, holds, rests),
     el("dl", {}, rows.flatMap(([name, text]) => [el("dt", {}, [name]), el("dd", {}, [text])])),
   );
-  section.zone.mark(!told.feasible ? "none" : told.pass === true ? "pass" : told.pass === false ? "fail" : "");
+  section.zone.mark(!found.feasible ? "none" : found.pass === true ? "pass" : found.pass === false ? "fail" : "");
 }
 
 let rests = "";
@@ -148,15 +148,15 @@ export const place = {
       proved = (await forms("place", anywhere, ["json"], signal, progress)).json;
     }
     const isDrawn = shown() === "section";
-    const { json: told, tables: answer, svg } = await forms("place", now, ["json", "tables", ...(isDrawn ? ["svg"] : [])], signal, progress);
-    if (isBest) proved = told;
+    const { json: answer, tables: { tables, sentences }, svg } = await forms("place", now, ["json", "tables", ...(isDrawn ? ["svg"] : [])], signal, progress);
+    if (isBest) proved = answer;
     provedOf = ofBest;
-    const { lead } = answer.tables[0];
+    const { lead } = tables[0];
     rests = lead.rests_on;
-    tell(told, null);
-    says.replaceChildren(...answer.tables.map(list), words(answer.sentences.flat()));
-    say(told.feasible ? `${lead.value}${told.pass === false ? ", fail" : ""}` : "no place");
-    if (isDrawn) await section.update(told, proved, svg ?? (await section.map(signal)));
+    tell(answer, null);
+    says.replaceChildren(...tables.map(list), words(sentences.flat()));
+    say(answer.feasible ? `${lead.value}${answer.pass === false ? ", fail" : ""}` : "no place");
+    if (isDrawn) await section.update(answer, proved, svg ?? (await section.map(signal)));
     if (shown() === "space") space.show(asked());
     if (shown() === "compare") await comparison.update(signal);
     if (shown() === "study") await drawStudy(signal);

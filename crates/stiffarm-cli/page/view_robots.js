@@ -1,11 +1,11 @@
 // Which robot? A ranking that follows what is typed.
 
+import { sortable, words } from "./answer.js";
 import { forms } from "./ask.js";
 import { Comparison, add } from "./compare.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway } from "./figure.js";
 import { change, question } from "./state.js";
-import { sortable, words } from "./told.js";
 import { progress } from "./work.js";
 
 const picture = new Picture("deflection of each robot against the size of the task");
@@ -22,7 +22,7 @@ function actions(name) {
   ];
 }
 
-/** The columns of the tasks come next to the names. @param {import("./told.js").Sheet} sheet @param {string[]} tasks */
+/** The columns of the tasks come next to the names. @param {import("./answer.js").Sheet} sheet @param {string[]} tasks */
 function valuesFirst(sheet, tasks) {
   const rank = (/** @type {string} */ name) => (name === "#" || name === "robot" ? 0 : tasks.includes(name) ? 1 : 2);
   const order = sheet.headings.map((name, column) => ({ column, rank: rank(name) })).sort((a, b) => a.rank - b.rank || a.column - b.column);
@@ -43,17 +43,17 @@ export const robots = {
   },
   async update(signal) {
     const now = question("rank");
-    const { json: answer, tables: told, svg } = await forms("rank", now, ["json", "tables", "svg"], signal, progress);
+    const { json: answer, tables: { tables, sentences }, svg } = await forms("rank", now, ["json", "tables", "svg"], signal, progress);
     const summary = /** @type {string[]} */ (answer.summary ?? []);
-    const sentences = told.sentences.slice(1).flat().filter((/** @type {string} */ words) => !summary.includes(words));
+    const notes = sentences.slice(1).flat().filter((/** @type {string} */ words) => !summary.includes(words));
     const [first = "", ...rest] = summary;
-    const [question_ = "", ...assumed] = told.sentences[0] ?? [];
+    const [question_ = "", ...assumed] = sentences[0] ?? [];
     verdict.replaceChildren(
       el("div", { class: "verdict says" }, [el("p", { class: "means" }, [question_]), el("p", { class: "number" }, [first]), el("p", { class: "rests" }, [assumed.join("; ")])]),
       words(rest, "words"),
-      el("details", { class: "fine" }, [el("summary", {}, ["how to read the table"]), words(sentences)]),
+      el("details", { class: "fine" }, [el("summary", {}, ["how to read the table"]), words(notes)]),
     );
-    const [sheet] = told.tables;
+    const [sheet] = tables;
     if (sheet) table.replaceChildren(sortable(valuesFirst(sheet, answer.tasks ?? []), "robots in order", (index) => actions(answer.rows[index]?.robot ?? "")));
     await picture.show(svg ?? "");
     say(first);

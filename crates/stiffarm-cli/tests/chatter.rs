@@ -25,29 +25,29 @@ fn json(arguments: &[&[&str]]) -> Value {
 
 #[test]
 fn depths_have_their_intervals_and_the_verdict_is_what_these_say() {
-    let told = json(&[&["chatter", PROCESS], ARM, FEED, HELD]);
-    let number = |key: &str| told[key].as_f64().unwrap_or_else(|| panic!("{key}: {}", told[key]));
-    assert!(number("any_speed_depth_mm") <= number("critical_depth_mm"), "{told}");
+    let answer = json(&[&["chatter", PROCESS], ARM, FEED, HELD]);
+    let number = |key: &str| answer[key].as_f64().unwrap_or_else(|| panic!("{key}: {}", answer[key]));
+    assert!(number("any_speed_depth_mm") <= number("critical_depth_mm"), "{answer}");
     assert!(number("any_speed_depth_mm_p05") < number("any_speed_depth_mm_p95"));
     let phase = std::f64::consts::TAU * number("chatter_hz") * 60.0 / (4.0 * number("spindle_rpm"));
     assert!((number("tooth_phase_rad") / phase - 1.0).abs() < 1e-9);
     assert_eq!((number("cut_depth_mm"), number("spindle_rpm").round()), (3.0, 12_000.0));
     let cut = number("cut_depth_mm");
-    let expected = match (told["critical_depth_mm_p05"].as_f64(), told["critical_depth_mm_p95"].as_f64()) {
+    let expected = match (answer["critical_depth_mm_p05"].as_f64(), answer["critical_depth_mm_p95"].as_f64()) {
         (None, _) => "calm",
         (Some(low), _) if cut < low => "calm",
         (_, Some(high)) if high < cut => "limit",
         _ => "not decided",
     };
-    assert_eq!(told["robot_modes"], expected);
-    let verdict = told["verdict"].as_str().expect("words");
+    assert_eq!(answer["robot_modes"], expected);
+    let verdict = answer["verdict"].as_str().expect("words");
     assert!(verdict.ends_with("; spindle modes unknown") && !verdict.contains("stable"), "{verdict}");
-    assert_eq!(told["modes_looked_at"].as_array().map(Vec::len), Some(6));
-    assert_eq!(told["drawn"], serde_json::json!(["drives", "damping"]));
+    assert_eq!(answer["modes_looked_at"].as_array().map(Vec::len), Some(6));
+    assert_eq!(answer["drawn"], serde_json::json!(["drives", "damping"]));
     // The chart has the speed of the cut.
-    let lobes = told["lobes"].as_array().expect("a list");
+    let lobes = answer["lobes"].as_array().expect("a list");
     let at = lobes.iter().find(|lobe| (lobe["spindle_rpm"].as_f64().unwrap_or(0.0) - 12e3).abs() < 1e-6);
-    assert_eq!(at.map(|lobe| &lobe["depth_mm"]), Some(&told["critical_depth_mm"]));
+    assert_eq!(at.map(|lobe| &lobe["depth_mm"]), Some(&answer["critical_depth_mm"]));
 }
 
 #[test]
@@ -87,12 +87,12 @@ fn what_was_measured_at_the_tip_is_looked_at_and_named_by_its_table() {
         json(&[&["chatter", PROCESS], ARM, FEED, HELD, &["--damping-ratio", "0.04", "--frf", frf, "--frf-on", held]])
     };
     let (by_hertz, of_modes) = (of(TAPPED, "rigid"), of(TAPPED_MODES, "rigid"));
-    for told in [&by_hertz, &of_modes] {
-        let verdict = told["verdict"].as_str().expect("words");
+    for answer in [&by_hertz, &of_modes] {
+        let verdict = answer["verdict"].as_str().expect("words");
         assert!(verdict.starts_with("robot and measured modes"), "{verdict}");
         assert!(verdict.ends_with("; modes of the work unknown") && !verdict.contains("stable"), "{verdict}");
-        assert_eq!((&told["spindle_modes"], &told["frf_on"]), (&"measured".into(), &"rigid".into()));
-        assert_eq!(told["modes_looked_at"].as_array().map(Vec::len), Some(6));
+        assert_eq!((&answer["spindle_modes"], &answer["frf_on"]), (&"measured".into(), &"rigid".into()));
+        assert_eq!(answer["modes_looked_at"].as_array().map(Vec::len), Some(6));
     }
     assert!(by_hertz["frf"].as_str().expect("a name").ends_with("tip.csv"));
     assert_eq!(
@@ -100,9 +100,9 @@ fn what_was_measured_at_the_tip_is_looked_at_and_named_by_its_table() {
         (serde_json::json!([4.0, 2400.0]), &Value::Null)
     );
     assert_eq!(of_modes["measured_modes"], serde_json::json!([612.0, 655.0, 1480.0]));
-    // The table is rounded, and told 4 Hz apart.
+    // The table is rounded, and given in steps of 4 Hz.
     for key in ["critical_depth_mm", "any_speed_depth_mm", "other_way_depth_mm"] {
-        let [a, b] = [&by_hertz, &of_modes].map(|told| told[key].as_f64().unwrap_or_else(|| panic!("{key}")));
+        let [a, b] = [&by_hertz, &of_modes].map(|answer| answer[key].as_f64().unwrap_or_else(|| panic!("{key}")));
         assert!((a / b - 1.0).abs() < 0.01, "{key}: {a} {b}");
     }
     // Not decided by its interval, a cut says nothing of a table that goes on far beyond the teeth.

@@ -31,14 +31,14 @@ fn run(folder: &Path, arguments: &[&[&str]]) -> (Option<i32>, String, String) {
     (output.status.code(), text(output.stdout), text(output.stderr))
 }
 
-fn told(folder: &Path, arguments: &[&[&str]]) -> String {
+fn printed(folder: &Path, arguments: &[&[&str]]) -> String {
     let (code, out, err) = run(folder, arguments);
     assert_eq!(code, Some(0), "{err}");
     out
 }
 
 fn json(folder: &Path, arguments: &[&[&str]]) -> Value {
-    serde_json::from_str(&told(folder, &[arguments, &[&["--format", "json"]]].concat())).expect("JSON")
+    serde_json::from_str(&printed(folder, &[arguments, &[&["--format", "json"]]].concat())).expect("JSON")
 }
 
 const MILL: [&str; 6] = ["mill", "part.nc", "--process", "endmill.toml", "--at", "1.7,0.2,0.8,30"];
@@ -59,7 +59,7 @@ fn cell<'a>(row: &'a [(String, String)], name: &str) -> &'a str {
 #[test]
 fn every_sample_has_the_depth_that_chatter_has_of_its_posture() {
     let folder = folder();
-    let csv = told(folder.path(), &[&MILL, &ROBOT, &TOOL, &HELD, &["--chatter", "--format", "csv"]]);
+    let csv = printed(folder.path(), &[&MILL, &ROBOT, &TOOL, &HELD, &["--chatter", "--format", "csv"]]);
     let (s, c) = 30_f64.to_radians().sin_cos();
     let mut compared = 0;
     let mut before = None;
@@ -108,13 +108,13 @@ fn the_answer_names_the_worst_line_what_is_not_covered_and_what_is_not_known() {
     }
     assert_eq!(found["modes_looked_at"].as_array().map(Vec::len), Some(6));
     // The worst is the least of the column, as every sample cuts as deep.
-    let rows = rows(&told(folder.path(), &[&arguments[..], &[&["--format", "csv"]]].concat()));
+    let rows = rows(&printed(folder.path(), &[&arguments[..], &[&["--format", "csv"]]].concat()));
     let depths = rows.iter().filter_map(|row| cell(row, "critical_depth_mm").parse::<f64>().ok());
     let least = depths.fold(f64::INFINITY, f64::min);
     assert_eq!(found["critical_depth_mm"].as_f64(), Some(least));
     let uncovered = rows.iter().filter(|row| cell(row, "chatter_covered") == "false");
     assert_eq!(uncovered.count() as u64, plunges["samples"].as_u64().expect("a count"));
-    let table = told(folder.path(), &arguments);
+    let table = printed(folder.path(), &arguments);
     for words in ["chatter not covered", "line 4, 7", "calm speeds", "fed the other way", "spindle, tool holder"] {
         assert!(table.contains(words), "{words}\n{table}");
     }
@@ -126,7 +126,7 @@ fn the_answer_names_the_worst_line_what_is_not_covered_and_what_is_not_known() {
     let deep = ["mill", "part.nc", "--process", "deep.toml", "--at", MILL[5], "--chatter", "--check"];
     let (code, _, err) = run(folder.path(), &[&deep, &ROBOT, &TOOL, &HELD]);
     assert!(code == Some(3) && err.contains("a cut of 250.000 mm, line") && err.contains("swings from"), "{err}");
-    // Without the word nothing is told of it.
+    // Without the option nothing is reported of it.
     let without = json(folder.path(), &[&MILL, &ROBOT, &TOOL]);
     assert!(without["chatter"].is_null());
 }
@@ -148,7 +148,7 @@ fn in_a_stock_air_is_not_covered_and_the_depth_is_that_of_the_stock() {
 fn lobes_and_a_report_show_the_worst_sample() {
     let folder = folder();
     let files = ["--chatter", "-o", "part.lobes.svg", "-o", "report.html", "-o", "part.json"];
-    told(folder.path(), &[&MILL, &ROBOT, &TOOL, &HELD, &files]);
+    printed(folder.path(), &[&MILL, &ROBOT, &TOOL, &HELD, &files]);
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect("written");
     let (lobes, report) = (read("part.lobes.svg"), read("report.html"));
     for words in ["speed of the spindle [rpm]", "axial depth [mm]", "the cut", "spindle modes unknown"] {
@@ -183,7 +183,7 @@ fn what_was_measured_of_the_spindle_is_looked_at_along_the_path_and_what_was_on_
     let (joints, feed) = (numbers("joints_deg"), numbers("feed"));
     let posture = ["chatter", "endmill.toml", "--joints-deg", &joints, "--feed", &feed];
     let alone = json(folder.path(), &[&posture, &ROBOT, &TOOL, &HELD, &frf[1..]]);
-    let [here, there] = [found, &alone].map(|told| told["critical_depth_mm"].as_f64().expect("a depth"));
+    let [here, there] = [found, &alone].map(|chatter| chatter["critical_depth_mm"].as_f64().expect("a depth"));
     assert!((here / there - 1.0).abs() < 1e-6, "{here} {there}");
     let refused = |more: &[&str], words: &str| {
         let (code, out, err) = run(folder.path(), &[&MILL, &ROBOT, &TOOL, more]);
@@ -194,7 +194,7 @@ fn what_was_measured_of_the_spindle_is_looked_at_along_the_path_and_what_was_on_
 }
 
 #[test]
-fn what_cannot_be_told_is_refused_with_what_to_do() {
+fn what_cannot_be_answered_is_refused_with_what_to_do() {
     let folder = folder();
     let refused = |arguments: &[&[&str]], words: &str| {
         let (code, out, err) = run(folder.path(), arguments);

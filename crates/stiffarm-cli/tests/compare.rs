@@ -1,4 +1,4 @@
-//! Two setups side by side: what is asked of each, what is told of both, and what is drawn.
+//! Two setups side by side: what is asked of each, what is reported of both, and what is drawn.
 
 use std::fs;
 use std::path::Path;
@@ -58,8 +58,8 @@ fn both_are_what_place_tells_of_each_and_their_ratio() {
     let scattered = json(folder.path(), &scattered);
     let shares = [0, 1].map(|side| scattered["win_probability"][side].as_f64().unwrap());
     assert!((shares[0] + shares[1] - 1.0).abs() < 1e-9 && (0.05..0.95).contains(&shares[0]), "{shares:?}");
-    let told = scattered["summary"][0].as_str().unwrap();
-    assert!(told.contains("they tie") && scattered["told_apart"] == true, "{told}");
+    let sentence = scattered["summary"][0].as_str().unwrap();
+    assert!(sentence.contains("they tie") && scattered["told_apart"] == true, "{sentence}");
     // The shares are those in which a ranking of the two has each win.
     let ranked = ["rank", "--robots", "KR 210 R2700 extra,BT200L", "--stiffness", "prior", "--task", "B:0.3"];
     for row in json(folder.path(), &[&ranked[..], &["--within", "0..,0.."]].concat())["rows"].as_array().unwrap() {

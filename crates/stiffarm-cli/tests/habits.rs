@@ -114,7 +114,7 @@ fn exit_codes_are_as_help_says() {
     for (arguments, code) in cases {
         let ran = ran(&[], arguments);
         assert_eq!(ran.code, *code, "{arguments:?}: {}", ran.err);
-        // With 3, the answer is told all the same.
+        // With 3, the answer is printed all the same.
         assert!(*code == 1 || *code == 2 || !ran.out.is_empty(), "{arguments:?}");
     }
     let help = ran(&[], &["--help"]).out;
@@ -174,7 +174,7 @@ fn verdicts_are_coloured_only_where_that_is_allowed() {
 }
 
 #[test]
-fn a_stiffness_that_is_given_is_told_and_scales_the_answer() {
+fn a_stiffness_that_is_given_is_named_and_scales_the_answer() {
     let asked = ["place", "BT200L", "--task", "A:0.1", "--format", "json"];
     let answer = |more: &[&str]| -> serde_json::Value {
         serde_json::from_str(&ran(&[], &[&asked[..], more].concat()).out).expect("JSON")
@@ -210,10 +210,10 @@ fn a_spindle_is_the_tool_that_it_stands_for() {
     let asked = ["compliance", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,45,0"];
     let with = |tool: [&str; 2]| ran(&[], &[&asked[..], &tool, &["--format", "json"]].concat()).out;
     assert_eq!(with(["--tool", "spindle:250@90+30"]), with(["--tool-mm", "250,0,30,0,90,0"]));
-    let told =
+    let text =
         ran(&[], &["place", "BT200L", "--task", "A:0.1", "--model", "spatial", "--tool", "spindle:250@90+30"]).out;
     let words = "spindle of 250.0 mm at 90 deg to the flange axis, 30.0 mm before the flange: 250.0, 0.0, 30.0 mm from the flange";
-    assert!(told.contains(words), "{told}");
+    assert!(text.contains(words), "{text}");
     let both = ran(&[], &[&asked[..], &["--tool", "spindle:250", "--tool-mm", "0,0,250"]].concat());
     assert!(both.code == 2 && both.err.contains("exclude each other"), "{}", both.err);
     let metres = ran(&[], &[&asked[..], &["--tool-mm", "0,0,0.25"]].concat());
@@ -255,14 +255,14 @@ fn shells_and_manuals_know_every_command() {
 #[test]
 fn a_published_number_stands_beside_the_computed_one_in_lines_of_any_length() {
     for width in ["80", "100", "139", "200"] {
-        let told = ran(&[("COLUMNS", width)], &["validate"]).out;
-        let heads = told.lines().find(|line| line.contains("source")).expect("headings");
+        let text = ran(&[("COLUMNS", width)], &["validate"]).out;
+        let heads = text.lines().find(|line| line.contains("source")).expect("headings");
         for heading in ["item", "cell", "printed", "computed", "verdict", "reason"] {
             assert!(heads.contains(heading), "{width}: {heads}");
         }
-        let row = told.lines().find(|line| line.contains("3.83")).expect("the first number");
+        let row = text.lines().find(|line| line.contains("3.83")).expect("the first number");
         assert!(row.contains("3.8800") && row.contains("listed"), "{width}: {row}");
-        let table = told.lines().take_while(|line| !line.starts_with("[1]"));
+        let table = text.lines().take_while(|line| !line.starts_with("[1]"));
         assert!(table.into_iter().all(|line| line.chars().count() <= width.parse().unwrap()), "{width}");
     }
 }

@@ -96,7 +96,7 @@ fn a_full_or_closed_terminal_is_no_panic() {
     let folder = folder();
     fs::write(folder.path().join("two.toml"), SMALLEST).expect("written");
     fs::write(folder.path().join("bad.toml"), "name = 1").expect("written");
-    // Talk that cannot be told is lost; what the answer is does not depend on it.
+    // Talk that cannot be written is lost; what the answer is does not depend on it.
     for talk in ["2>/dev/full", "2>&-", "2>/dev/full </dev/null"] {
         for (command, code) in [
             ("$S place two.toml --task A:9", 0),

@@ -61,19 +61,19 @@ fn the_answer_says_what_is_not_known_and_becomes_a_robot_file_that_other_verbs_r
     let (filed, used) = (&posture["drive_urad_per_nm"][5], &found["drives"][5]["used_urad_per_nm"]);
     // A robot file has ten digits.
     assert!((filed.as_f64().unwrap() / used.as_f64().unwrap() - 1.0).abs() < 1e-9);
-    let told = String::from_utf8(
+    let printed = String::from_utf8(
         program(&["compliance", &robot, "--joints-deg", "0,0,0,0,45,0"]).success().get_output().stdout.clone(),
     )
     .unwrap();
-    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    let printed = printed.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        told.contains("identified in 43 postures, 2026-05-31, residual 23 % of a displacement; not identified: 6"),
-        "{told}"
+        printed.contains("identified in 43 postures, 2026-05-31, residual 23 % of a displacement; not identified: 6"),
+        "{printed}"
     );
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_place_and_nothing_is_written() {
+fn what_is_wrong_is_named_with_its_place_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wrong.csv");
     let text = fs::read_to_string(Path::new(ROOT).join(ASKED[1]))
@@ -83,15 +83,16 @@ fn what_is_wrong_is_told_with_its_place_and_nothing_is_written() {
     fs::write(&path, text).unwrap();
     let robot = folder.path().join("robot.toml");
     let (path, out) = (path.to_string_lossy().into_owned(), robot.to_string_lossy().into_owned());
-    let told = program(&["identify", &path, "--robot", ASKED[3], "-o", &out]).failure().code(1);
-    let told = String::from_utf8(told.get_output().stderr.clone()).unwrap();
+    let refused = program(&["identify", &path, "--robot", ASKED[3], "-o", &out]).failure().code(1);
+    let errors = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
     assert!(
-        told.contains("wrong.csv:3: half of the rows move less than") && told.contains("hint: every fault is named"),
-        "{told}"
+        errors.contains("wrong.csv:3: half of the rows move less than")
+            && errors.contains("hint: every fault is named"),
+        "{errors}"
     );
     assert!(!robot.exists());
-    let told = program(&["identify", &path]).failure().code(2);
-    assert!(String::from_utf8_lossy(&told.get_output().stderr).contains("--robot <ROBOT> is missing"));
-    let told = program(&["identify", "x.csv", "--robot", "BT200L", "--marker-mm", "1,2,3;4,5,6"]).failure().code(2);
-    assert!(String::from_utf8_lossy(&told.get_output().stderr).contains("expected each with a name"));
+    let refused = program(&["identify", &path]).failure().code(2);
+    assert!(String::from_utf8_lossy(&refused.get_output().stderr).contains("--robot <ROBOT> is missing"));
+    let refused = program(&["identify", "x.csv", "--robot", "BT200L", "--marker-mm", "1,2,3;4,5,6"]).failure().code(2);
+    assert!(String::from_utf8_lossy(&refused.get_output().stderr).contains("expected each with a name"));
 }

@@ -29,13 +29,13 @@ fn a_plan_is_filled_in_and_identified_and_one_of_ones_own_is_judged_beside_it() 
     let file = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
     let (table, filled, robot) = (file("plan.csv"), file("filled.csv"), file("found.toml"));
     program(&[&ASKED[..], &["-o", &table]].concat()).success();
-    let told: Value = serde_json::from_slice(
+    let answer: Value = serde_json::from_slice(
         &program(&[&ASKED[..], &["--format", "json", "--compare", &table]].concat()).success().get_output().stdout,
     )
     .unwrap();
-    assert_eq!(told["runs"].as_array().unwrap().len(), 10);
-    assert!(0.8 < told["efficiency"].as_f64().unwrap());
-    let same = told["compared"]["value"].as_f64().unwrap() / told["value"].as_f64().unwrap();
+    assert_eq!(answer["runs"].as_array().unwrap().len(), 10);
+    assert!(0.8 < answer["efficiency"].as_f64().unwrap());
+    let same = answer["compared"]["value"].as_f64().unwrap() / answer["value"].as_f64().unwrap();
     assert!((same - 1.0).abs() < 1e-9, "{same}");
     // As it is it was not measured.
     let refused = program(&["identify", &table, "--robot", "KR 210 R2700 extra"]).failure().code(1);
@@ -88,14 +88,14 @@ fn a_plan_is_filled_in_and_identified_and_one_of_ones_own_is_judged_beside_it() 
 }
 
 #[test]
-fn an_instrument_is_told_with_what_it_sees_and_half_of_one_is_refused() {
+fn an_instrument_is_reported_with_what_it_sees_and_half_of_one_is_refused() {
     let sighted =
         [&ASKED[..], &["--instrument", "3.5,-2,1.5", "--marker-faces", "0:0:2", "--acceptance-deg", "40"]].concat();
-    let told = String::from_utf8(program(&sighted).success().get_output().stdout.clone()).unwrap();
-    assert!(told.contains("up to 40.0 deg from 0, 0, 1 of the flange, from (3.5, -2, 1.5) m"), "{told}");
+    let printed = String::from_utf8(program(&sighted).success().get_output().stdout.clone()).unwrap();
+    assert!(printed.contains("up to 40.0 deg from 0, 0, 1 of the flange, from (3.5, -2, 1.5) m"), "{printed}");
     assert!(
-        told.contains("looked at were joint limits, window, sight, and the links (as capsules of estimated radii)"),
-        "{told}"
+        printed.contains("looked at were joint limits, window, sight, and the links (as capsules of estimated radii)"),
+        "{printed}"
     );
     for (more, why) in [
         (&["--marker-faces", "0:0:1"][..], "--marker-faces needs --instrument"),
@@ -117,10 +117,10 @@ fn the_postures_of_a_plan_are_drawn() {
     let file = folder.path().join("plan.svg").to_string_lossy().into_owned();
     program(&[&ASKED[..], &["-o", &file]].concat()).success();
     let drawn = fs::read_to_string(&file).unwrap();
-    let told: Value =
+    let answer: Value =
         serde_json::from_slice(&program(&[&ASKED[..], &["--format", "json"]].concat()).success().get_output().stdout)
             .unwrap();
-    let runs = told["runs"].as_array().unwrap();
+    let runs = answer["runs"].as_array().unwrap();
     let same = |i: usize| ["joints_deg", "load"].iter().all(|key| runs[i][key] == runs[i - 1][key]);
     let pictures = 1 + (1..runs.len()).filter(|i| !same(*i)).count();
     assert_eq!(drawn.matches("mm expected").count(), pictures);
@@ -138,8 +138,8 @@ fn a_plan_for_a_robot_whose_pendant_is_not_known_opens_with_that_and_is_read_all
     let first = text.lines().next().unwrap();
     assert!(first.starts_with("# joints are told as the robot file of GP200R counts them"), "{first}");
     let read = program(&["measure", "GP200R", "--runs", "8", "--candidates", "200", "--compare", &table]).success();
-    let told = String::from_utf8_lossy(&read.get_output().stdout).into_owned();
-    assert!(told.contains("your table") && told.contains("compare before you type them"), "{told}");
+    let printed = String::from_utf8_lossy(&read.get_output().stdout).into_owned();
+    assert!(printed.contains("your table") && printed.contains("compare before you type them"), "{printed}");
     // Filled in with a push along the force, which no reading repeats to the last digit.
     let mut lines = text.lines().skip(1);
     let headings: Vec<&str> = lines.next().unwrap().split(',').collect();
@@ -155,8 +155,8 @@ fn a_plan_for_a_robot_whose_pendant_is_not_known_opens_with_that_and_is_read_all
     }
     fs::write(&table, made).unwrap();
     let found = program(&["identify", &table, "--robot", "GP200R"]).success();
-    let told = String::from_utf8_lossy(&found.get_output().stdout).into_owned();
-    assert!(told.contains("compare one posture"), "{told}");
+    let printed = String::from_utf8_lossy(&found.get_output().stdout).into_owned();
+    assert!(printed.contains("compare one posture"), "{printed}");
     program(&asked("KR 210 R2700 extra")).success();
     assert!(fs::read_to_string(&table).unwrap().starts_with("run,posture,q1_deg"));
 }
@@ -171,12 +171,12 @@ fn a_plan_of_postures_is_filled_in_and_calibrates_the_arm() {
     let file = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
     let (table, filled, figure) = (file("plan.csv"), file("filled.csv"), file("plan.svg"));
     program(&[&POSTURES[..], &["-o", &table, "-o", &figure]].concat()).success();
-    let told = program(&[&POSTURES[..], &["--format", "json"]].concat()).success();
-    let told: Value = serde_json::from_slice(&told.get_output().stdout).unwrap();
-    let at_work = |key: &str| told["at_work"][key].as_f64().unwrap();
+    let output = program(&[&POSTURES[..], &["--format", "json"]].concat()).success();
+    let answer: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    let at_work = |key: &str| answer["at_work"][key].as_f64().unwrap();
     let in_order = ["unexplained_mm", "lower_bound_mm", "expected_mm", "random_mm"].map(at_work);
-    assert!(in_order.is_sorted() && at_work("expected_mm") < at_work("as_drawn_mm"), "{told}");
-    assert_eq!(told["runs"].as_array().unwrap().len(), 10);
+    assert!(in_order.is_sorted() && at_work("expected_mm") < at_work("as_drawn_mm"), "{answer}");
+    assert_eq!(answer["runs"].as_array().unwrap().len(), 10);
     assert!(fs::read_to_string(figure).unwrap().contains("run 10"));
     // As it is nothing was seen.
     let refused = program(&["calibrate", "KR 210 R2700 extra", &table]).failure().code(1);
@@ -216,8 +216,8 @@ fn what_says_nothing_of_a_calibration_is_refused() {
     ] {
         let asked = [&["measure", "KR 210 R2700 extra", "--geometry"], words].concat();
         let refused = program(&asked).failure();
-        let told = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
-        assert!(told.contains(expected), "{words:?}: {told}");
+        let errors = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(errors.contains(expected), "{words:?}: {errors}");
     }
 }
 
@@ -226,8 +226,8 @@ fn points_on_the_axis_of_joint_6_are_said_to_tell_nothing_of_its_zero() {
     for (marker, is_on_axis) in [("0,0,150", true), ("100,0,150", false), ("a=0,0,150;b=0,80,0", false)] {
         let words =
             ["measure", "KR 210 R2700 extra", "--geometry", "--runs", "8", "--candidates", "40", "--marker-mm", marker];
-        let told = program(&words).success();
-        let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-        assert_eq!(told.contains("nothing is told of its zero"), is_on_axis, "{marker}: {told}");
+        let output = program(&words).success();
+        let printed = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+        assert_eq!(printed.contains("nothing is told of its zero"), is_on_axis, "{marker}: {printed}");
     }
 }

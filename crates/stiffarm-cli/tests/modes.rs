@@ -17,8 +17,8 @@ fn the_published_masses_of_a_kr_210_and_six_springs_give_the_modes_worked_out_ap
     let springs: &[&str] = &["--drive-urad-per-nm", "0.477,0.296,0.358,2.52,3.01,2.1", "--format", "json"];
     let (ok, out, err) = output(&[ASKED, HELD, springs]);
     assert!(ok, "{err}");
-    let told: Value = serde_json::from_str(&out).expect("JSON");
-    let modes = told["modes"].as_array().expect("a list");
+    let answer: Value = serde_json::from_str(&out).expect("JSON");
+    let modes = answer["modes"].as_array().expect("a list");
     assert_eq!(modes.len(), 6);
     for (mode, expected) in modes.iter().zip([9.4584, 10.3533, 19.1985, 44.727, 57.146]) {
         let found = mode["frequency_hz"].as_f64().expect("a number");
@@ -26,11 +26,11 @@ fn the_published_masses_of_a_kr_210_and_six_springs_give_the_modes_worked_out_ap
         assert!(mode["frequency_hz_p05"].is_null() && mode["frequency_motors_free_hz"].is_null(), "{mode}");
         assert_eq!(mode["tip_shape"].as_array().map(Vec::len), Some(3));
     }
-    assert_eq!((told["damping_source"].as_str(), told["tool_mass_kg"].as_f64()), (Some("assumed"), Some(60.0)));
+    assert_eq!((answer["damping_source"].as_str(), answer["tool_mass_kg"].as_f64()), (Some("assumed"), Some(60.0)));
 }
 
 #[test]
-fn as_many_modes_are_told_as_are_asked_for_each_with_its_interval_by_the_prior() {
+fn as_many_modes_are_reported_as_are_asked_for_each_with_its_interval_by_the_prior() {
     let (ok, out, err) = output(&[ASKED, HELD, &["--count", "2", "--format", "csv"]]);
     assert!(ok, "{err}");
     let lines: Vec<&str> = out.lines().collect();
@@ -41,7 +41,7 @@ fn as_many_modes_are_told_as_are_asked_for_each_with_its_interval_by_the_prior()
 }
 
 #[test]
-fn a_tool_without_a_mass_and_what_is_assumed_are_told() {
+fn a_tool_without_a_mass_and_what_is_assumed_are_reported() {
     let (ok, out, _) = output(&[ASKED]);
     assert!(ok && out.contains("tool: weighs nothing") && out.contains("damping: assumed 0.03"), "{out}");
 }
@@ -77,24 +77,24 @@ const OVER: &[&str] = &[
 
 /// The numbers at the least are those that `modes` tells of that posture, which `place` knows nothing of.
 #[test]
-fn over_a_zone_the_least_is_told_with_its_interval_and_a_proved_first_frequency_below_it() {
+fn over_a_zone_the_least_is_reported_with_its_interval_and_a_proved_first_frequency_below_it() {
     let (ok, out, err) = output(&[OVER, HELD, &["--format", "json"]]);
     assert!(ok, "{err}");
-    let told: Value = serde_json::from_str(&out).expect("JSON");
-    let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("no number: {told}"));
-    let modes = told["modes"].as_array().expect("a list");
+    let answer: Value = serde_json::from_str(&out).expect("JSON");
+    let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("no number: {answer}"));
+    let modes = answer["modes"].as_array().expect("a list");
     assert_eq!(modes.len(), 6);
     let first = &modes[0];
-    let (least, proved) = (number(&first["least_frequency_hz"]), number(&told["first_at_least_hz"]));
+    let (least, proved) = (number(&first["least_frequency_hz"]), number(&answer["first_at_least_hz"]));
     assert!(proved <= least && 0.985 * least < proved, "{proved} {least}");
     assert!(number(&first["frequency_hz_p05"]) < least && least < number(&first["frequency_hz_p95"]), "{first}");
-    assert!(number(&told["first_at_least_hz_p05"]) < proved);
+    assert!(number(&answer["first_at_least_hz_p05"]) < proved);
     for mode in modes {
         assert!(number(&mode["least_frequency_hz"]) < number(&mode["largest_frequency_hz"]), "{mode}");
         let [x, y, z] = [0, 1, 2].map(|i| number(&mode["least_at_m"][i]));
         assert!((x - 1.5).abs() <= 0.2 + 1e-6 && y.abs() <= 0.3 + 1e-6 && (z - 0.8).abs() < 1e-6, "{mode}");
     }
-    assert_eq!(number(&told["roll_deg"]), 0.0);
+    assert_eq!(number(&answer["roll_deg"]), 0.0);
 }
 
 #[test]
@@ -176,8 +176,8 @@ fn a_map_tells_how_slow_the_arm_swings_first_at_every_point() {
         assert!(ok, "{err}");
         serde_json::from_str(&out).expect("JSON")
     };
-    let cells = |told: &Value| -> Vec<Option<f64>> {
-        let rows = told["first_frequency_hz"].as_array().expect("rows").iter();
+    let cells = |answer: &Value| -> Vec<Option<f64>> {
+        let rows = answer["first_frequency_hz"].as_array().expect("rows").iter();
         rows.flat_map(|row| row.as_array().expect("cells").iter().map(Value::as_f64)).collect()
     };
     let (light, heavy) = (json(&[MAP, FREQUENCY]), json(&[MAP, FREQUENCY, HELD]));
@@ -191,7 +191,7 @@ fn a_map_tells_how_slow_the_arm_swings_first_at_every_point() {
         count += 1;
     }
     assert!(20 < count, "{count}");
-    // Deflections are the same, and without the word nothing is told of frequencies.
+    // Deflections are the same, and without the option no frequencies are reported.
     let plain = json(&[MAP]);
     assert_eq!((&plain["worst_mm"], &plain["first_frequency_hz"]), (&light["worst_mm"], &Value::Null));
     let (ok, out, err) = output(&[MAP, FREQUENCY, HELD]);

@@ -1,4 +1,4 @@
-//! Does a path keep clear of the part that an STL file holds, and are wrong files told by what is wrong with them?
+//! Does a path keep clear of the part that an STL file holds, and do messages name what is wrong with a file?
 
 use std::fs;
 use std::path::Path;
@@ -46,8 +46,8 @@ fn a_spindle_beside_a_rib_touches_it_unless_the_cutter_is_long_enough() {
     let whole = fs::read_to_string(folder.join("rib.stl")).unwrap();
     fs::write(folder.join("nearer.stl"), whole.replace(" 60 ", " 50 ")).unwrap();
     let nearer = json(folder, &["--part", "nearer.stl", "--stick-out-mm", "80"]);
-    let [depth, deeper] = [&short, &nearer].map(|told| {
-        let contacts = told["contacts"].as_array().unwrap().iter();
+    let [depth, deeper] = [&short, &nearer].map(|answer| {
+        let contacts = answer["contacts"].as_array().unwrap().iter();
         let of_tool = contacts.filter(|contact| contact["bodies"] == "tool to part");
         of_tool.filter_map(|contact| contact["depth_mm"].as_f64()).fold(0.0, f64::max)
     });
@@ -65,8 +65,8 @@ fn a_spindle_beside_a_rib_touches_it_unless_the_cutter_is_long_enough() {
     // The arm is led around the rib, and that costs something.
     assert!(alone["worst_mm"].as_f64() < long["worst_mm"].as_f64(), "{long}");
     // The length of the tool says the same, from a spindle that ends so much before the tip.
-    let (code, told, _) = run(folder, &["--part", "rib.stl"]);
-    assert!(code == 0 && told.contains("stick-out-mm") && !told.contains("COLLISION"), "{told}");
+    let (code, out, _) = run(folder, &["--part", "rib.stl"]);
+    assert!(code == 0 && out.contains("stick-out-mm") && !out.contains("COLLISION"), "{out}");
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn every_sample_tells_its_clearance_and_figures_show_where_it_touches() {
     let asked = ["--part", "rib.stl", "--stick-out-mm"];
     for (length, touches) in [("80", true), ("140", false)] {
         let one = [&asked[..], &[length]].concat();
-        let told = json(folder, &one);
+        let answer = json(folder, &one);
         for file in ["path.csv", "path.svg", "path.view.html"] {
             assert_eq!(run(folder, &[&one[..], &["-o", file, "-q"]].concat()).0, 0, "{file}");
         }
@@ -87,11 +87,11 @@ fn every_sample_tells_its_clearance_and_figures_show_where_it_touches() {
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
         let distance = |row: &csv::StringRecord| row[apart].parse::<f64>().unwrap();
         let nearest = rows.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
-        assert!((distance(nearest) - told["clearance_mm"].as_f64().unwrap()).abs() < 1e-9, "{nearest:?}");
-        assert_eq!(nearest[of], *told["clearance_of"].as_str().unwrap());
+        assert!((distance(nearest) - answer["clearance_mm"].as_f64().unwrap()).abs() < 1e-9, "{nearest:?}");
+        assert_eq!(nearest[of], *answer["clearance_of"].as_str().unwrap());
         let touching: Vec<&str> = rows.iter().filter(|row| distance(row) < 0.0).map(|row| &row[line]).collect();
         assert_eq!(!touching.is_empty(), touches);
-        for contact in told["contacts"].as_array().unwrap() {
+        for contact in answer["contacts"].as_array().unwrap() {
             assert!(touching.contains(&&*contact["line"].to_string()), "{contact}");
         }
         let [figure, view] = ["path.svg", "path.view.html"].map(|file| fs::read_to_string(folder.join(file)).unwrap());
@@ -123,17 +123,17 @@ fn no_program_is_written_over_the_touch_of_a_part() {
 /// By hand: the groove is 5 mm deep, below a block whose top is 10 mm above zero. 12 mm out of the spindle the cutter lets that 3 mm into the
 /// block; 80 mm out it runs 65 mm above it.
 #[test]
-fn a_spindle_that_sinks_into_the_block_is_told_and_one_above_it_is_not() {
+fn a_spindle_that_sinks_into_the_block_is_reported_and_one_above_it_is_not() {
     let folder = folder();
     let folder = folder.path();
     let block = ["--process", "endmill.toml", "--stock-mm=-120..120,-30..100,-20..10"];
     let short = [&block[..], &["--stick-out-mm", "12"]].concat();
-    let told = json(folder, &short);
-    let contacts = told["contacts"].as_array().unwrap();
-    assert!(contacts.iter().any(|contact| contact["bodies"] == "tool to stock"), "{told}");
+    let answer = json(folder, &short);
+    let contacts = answer["contacts"].as_array().unwrap();
+    assert!(contacts.iter().any(|contact| contact["bodies"] == "tool to stock"), "{answer}");
     let deepest = contacts.iter().filter_map(|contact| contact["depth_mm"].as_f64()).fold(0.0, f64::max);
     assert!((deepest - 3.0).abs() < 0.01, "{contacts:?}");
-    assert!(told["clearance_by"].as_array().unwrap().contains(&"stock".into()), "{told}");
+    assert!(answer["clearance_by"].as_array().unwrap().contains(&"stock".into()), "{answer}");
     let long = json(folder, &[&block[..], &["--stick-out-mm", "80"]].concat());
     assert_eq!((&long["contacts"], &long["clearance_of"]), (&serde_json::json!([]), &"tool to stock".into()), "{long}");
     assert!((long["clearance_mm"].as_f64().unwrap() - 65.0).abs() < 0.01, "{long}");
@@ -143,10 +143,10 @@ fn a_spindle_that_sinks_into_the_block_is_told_and_one_above_it_is_not() {
     assert!(fs::read_to_string(folder.join("rib.view.html")).unwrap().contains("stock, before it is cut"));
     assert!(!folder.join("rib.src").exists());
     // Nothing of the tool is compared where it is not known where the spindle ends, and that is said.
-    let (code, told, _) = run(folder, &block);
+    let (code, out, _) = run(folder, &block);
     assert!(
-        code == 0 && told.contains("the tool is not compared with the stock") && !told.contains("COLLISION"),
-        "{told}"
+        code == 0 && out.contains("the tool is not compared with the stock") && !out.contains("COLLISION"),
+        "{out}"
     );
     let (code, _, errors) = run(folder, &["--stick-out-mm", "80"]);
     assert!(code == 2 && errors.contains("--stick-out-mm needs --part or --stock-mm"), "{errors}");
@@ -159,13 +159,13 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
     let folder = folder.path();
     let asked = ["--process", "endmill.toml", "--stick-out-mm", "140", "--part", "rib.stl"];
     let held = |clamps: &str| json(folder, &[&asked[..], &["--fixture", clamps]].concat());
-    let told = held("clamps.stl");
+    let answer = held("clamps.stl");
     assert_eq!(
-        (&told["contacts"], &told["clearance_of"]),
+        (&answer["contacts"], &answer["clearance_of"]),
         (&serde_json::json!([]), &"cutter to fixture".into()),
-        "{told}"
+        "{answer}"
     );
-    assert!((told["clearance_mm"].as_f64().unwrap() - 7.0).abs() < 0.01, "{told}");
+    assert!((answer["clearance_mm"].as_f64().unwrap() - 7.0).abs() < 0.01, "{answer}");
     // The program says what estimated links may touch, and the answer that no spindle is compared where the tool is shorter.
     let kept = ["--fixture", "clamps.stl", "-o", "kept.src"];
     assert_eq!(run(folder, &[&asked[..], &kept].concat()).0, 0);
@@ -183,12 +183,12 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
     // 10 mm nearer the mill runs 3 mm into them: no program, and the view shows them.
     let whole = fs::read_to_string(folder.join("clamps.stl")).unwrap();
     fs::write(folder.join("nearer.stl"), whole.replace(" -15 ", " -5 ")).unwrap();
-    let told = held("nearer.stl");
+    let answer = held("nearer.stl");
     // No roll avoids that, and the arm is led clear of all else.
-    let unavoidable = &told["unavoidable"];
-    assert!((unavoidable["depth_mm"].as_f64().unwrap() - 3.0).abs() < 0.01, "{told}");
-    let mut bodies = told["contacts"].as_array().unwrap().iter().map(|contact| &contact["bodies"]);
-    assert!(bodies.all(|bodies| bodies == "cutter to fixture" && bodies == &unavoidable["bodies"]), "{told}");
+    let unavoidable = &answer["unavoidable"];
+    assert!((unavoidable["depth_mm"].as_f64().unwrap() - 3.0).abs() < 0.01, "{answer}");
+    let mut bodies = answer["contacts"].as_array().unwrap().iter().map(|contact| &contact["bodies"]);
+    assert!(bodies.all(|bodies| bodies == "cutter to fixture" && bodies == &unavoidable["bodies"]), "{answer}");
     let more = [&asked[..], &["--fixture", "nearer.stl", "-o", "rib.src", "-o", "rib.view.html"]].concat();
     let (code, _, errors) = run(folder, &more);
     assert!(code == 1 && errors.contains("no program: at every roll line 7, "), "{errors}");
@@ -196,15 +196,15 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
     assert!(!folder.join("rib.src").exists());
     assert!(fs::read_to_string(folder.join("rib.view.html")).unwrap().contains("\"fixture\""));
     // Without a process the cutter has no radius, and its axis is 5 mm away.
-    let (code, told, _) = run(folder, &["--stick-out-mm", "140", "--fixture", "nearer.stl"]);
+    let (code, out, _) = run(folder, &["--stick-out-mm", "140", "--fixture", "nearer.stl"]);
     assert!(
-        code == 0 && told.contains("its axis alone keeps clear of the fixture") && !told.contains("COLLISION"),
-        "{told}"
+        code == 0 && out.contains("its axis alone keeps clear of the fixture") && !out.contains("COLLISION"),
+        "{out}"
     );
     let far = whole.replace("-15 ", "4985 ").replace("-140 ", "4860 ").replace("-105 ", "4895 ");
     fs::write(folder.join("far.stl"), far).unwrap();
-    let (_, told, _) = run(folder, &["--fixture", "far.stl"]);
-    assert!(told.contains("the fixture lies farther from the feed moves than it is wide"), "{told}");
+    let (_, out, _) = run(folder, &["--fixture", "far.stl"]);
+    assert!(out.contains("the fixture lies farther from the feed moves than it is wide"), "{out}");
 }
 
 #[test]

@@ -55,11 +55,11 @@ fn every_robot_of_a_ranking_mills_as_it_does_alone_and_the_best_is_first() {
 
 #[test]
 fn a_table_names_every_robot_and_says_what_the_order_rests_on() {
-    let told = stiffarm(&["mill", "line:0.05", "--robots", "KR 210 R2700 extra,BT200L"]);
-    let told = String::from_utf8(told.stdout).unwrap();
+    let output = stiffarm(&["mill", "line:0.05", "--robots", "KR 210 R2700 extra,BT200L"]);
+    let table = String::from_utf8(output.stdout).unwrap();
     for words in ["KUKA KR 210 R2700 extra", "BT200L", "at least", "draws of the drives", "is that of", "as published"]
     {
-        assert!(told.contains(words), "{words}: {told}");
+        assert!(table.contains(words), "{words}: {table}");
     }
 }
 
@@ -103,8 +103,8 @@ fn a_ranking_on_a_path_is_handed_on_as_a_report() {
         text("pre")
     );
     // The value of the best, as its sentence has it, stands in the table, too.
-    let told = String::from_utf8(output.stdout).unwrap();
-    let value = told.split(" is that of ").nth(1).and_then(|rest| rest.split(": ").nth(1)).unwrap();
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let value = printed.split(" is that of ").nth(1).and_then(|rest| rest.split(": ").nth(1)).unwrap();
     let value = value.split(" mm").next().unwrap();
     assert!(text("td").iter().any(|cell| cell.contains(value)), "{value}");
     assert!(3 < lopdf::Document::load(&pdf).unwrap().get_pages().len());
@@ -126,7 +126,7 @@ fn the_verdict_is_that_of_the_best_robot() {
     }
 }
 
-/// Of a clearance that no arm keeps from itself: what is touched is told, and nobody wins.
+/// Of a clearance that no arm keeps from itself: what is touched is named, and nobody wins.
 #[test]
 fn a_robot_that_touches_something_has_no_rank_and_says_what() {
     let robots = "KR 210 R2700 extra,IRB 6650S-200";
@@ -140,9 +140,12 @@ fn a_robot_that_touches_something_has_no_rank_and_says_what() {
         );
         assert!(row["reason"].as_str().unwrap().starts_with("TOO NEAR of "), "{row}");
     }
-    let told = String::from_utf8(stiffarm(&words).stdout).unwrap();
-    assert!(told.contains("follows line:0.05 and keeps clear") && told.contains("mm apart, 3000.0 mm asked"), "{told}");
-    assert!(!told.contains("is that of") && !told.contains("is held by"), "{told}");
+    let printed = String::from_utf8(stiffarm(&words).stdout).unwrap();
+    assert!(
+        printed.contains("follows line:0.05 and keeps clear") && printed.contains("mm apart, 3000.0 mm asked"),
+        "{printed}"
+    );
+    assert!(!printed.contains("is that of") && !printed.contains("is held by"), "{printed}");
     // With nothing asked both are ranked.
     let usual = json(&[&words[..4], &["--tolerance-mm", "9"]].concat());
     assert!(usual["rows"].as_array().unwrap().iter().all(|row| row["feasible"] == true && row["pass"] == true));

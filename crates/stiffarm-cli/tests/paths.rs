@@ -34,16 +34,16 @@ fn close(found: &Value, expected: f64, within: f64) {
 }
 
 #[test]
-fn a_path_is_told_under_the_names_that_scripts_rely_on() {
+fn a_path_is_reported_under_the_names_that_scripts_rely_on() {
     let path = "crates/stiffarm/tests/paths/contour_ij.nc";
-    let told = json(Path::new(ROOT), &["mill", path, "--dry"]);
-    assert_eq!((&told["format"], &told["feed_moves"], &told["arcs"]), (&"gcode".into(), &13.into(), &4.into()));
-    close(&told["feed_length_m"], 0.448_504, 6e-7);
-    close(&told["rapid_length_m"], 0.111, 1e-12);
-    close(&told["box_m"][0][0], -0.055_123, 1e-12);
-    close(&told["box_m"][1][2], 0.002, 1e-12);
-    assert!(told["ignored"].as_array().unwrap().iter().any(|word| word == "M6 (line 5)"));
-    let assumed = told["assumed"].as_array().unwrap();
+    let answer = json(Path::new(ROOT), &["mill", path, "--dry"]);
+    assert_eq!((&answer["format"], &answer["feed_moves"], &answer["arcs"]), (&"gcode".into(), &13.into(), &4.into()));
+    close(&answer["feed_length_m"], 0.448_504, 6e-7);
+    close(&answer["rapid_length_m"], 0.111, 1e-12);
+    close(&answer["box_m"][0][0], -0.055_123, 1e-12);
+    close(&answer["box_m"][1][2], 0.002, 1e-12);
+    assert!(answer["ignored"].as_array().unwrap().iter().any(|word| word == "M6 (line 5)"));
+    let assumed = answer["assumed"].as_array().unwrap();
     assert!(
         assumed.iter().any(|one| one.as_str().unwrap().starts_with("the part frame is that of G54")),
         "{assumed:?}"
@@ -61,14 +61,14 @@ fn a_job_file_asks_the_same_as_what_is_typed() {
     fs::create_dir(folder.path().join("parts")).unwrap();
     fs::write(folder.path().join("parts/a.txt"), "G90\nG1 X1. Y0 Z0 F10\nX2.\n").unwrap();
     let typed = ["mill", "parts/a.txt", "--read-as", "gcode", "--unit", "inch", "--dry"];
-    let told = json(folder.path(), &typed);
-    close(&told["feed_length_m"], 0.0508, 1e-12);
+    let answer = json(folder.path(), &typed);
+    close(&answer["feed_length_m"], 0.0508, 1e-12);
     let saved = stiffarm(folder.path(), &[&typed[..], &["--save-job", "parts/job.toml"]].concat());
     assert!(saved.status.success(), "{saved:?}");
     let job = fs::read_to_string(folder.path().join("parts/job.toml")).unwrap();
     assert!(job.contains("path = \"a.txt\"") && job.contains("dry = true"), "{job}");
     let again = json(folder.path(), &["mill", "parts/job.toml"]);
-    assert_eq!(again["feed_length_m"], told["feed_length_m"]);
+    assert_eq!(again["feed_length_m"], answer["feed_length_m"]);
 }
 
 #[test]
@@ -162,25 +162,25 @@ fn a_long_path_is_read_in_little_memory() {
     );
     let output = Command::new("bash").current_dir(folder.path()).args(["-c", &script]).output().unwrap();
     assert!(output.status.success(), "{output:?}");
-    let told: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(told["lines"], 500_001);
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(answer["lines"], 500_001);
 }
 
 #[test]
-fn a_process_is_told_with_its_figure() {
+fn a_process_is_reported_with_its_figure() {
     let folder = TempDir::new().unwrap();
     let slot = "spindle_rpm = 12000\n[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"AL 7075 T6\"\n[engagement]\nap_mm = 2\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
     fs::write(folder.path().join("slot.toml"), slot).unwrap();
-    let told = json(folder.path(), &["force", "slot.toml"]);
+    let answer = json(folder.path(), &["force", "slot.toml"]);
     // By hand: -N a K_rc c / 4 - N a K_re / pi, and so on.
     let pi = std::f64::consts::PI;
-    close(&told["mean_n"][0], -8.0 * 16.88 / 4.0 - 8.0 * 26.6 / pi, 1e-9);
-    close(&told["mean_n"][1], 8.0 * 76.701 / 4.0 + 8.0 * 27.7 / pi, 1e-9);
-    close(&told["mean_n"][2], 8.0 * 22.2 / pi + 8.0 * 0.7 / 2.0, 1e-9);
-    close(&told["exit_deg"], 180.0, 1e-9);
-    close(&told["power_w"], told["moment_nm"].as_f64().unwrap() * 400.0 * pi, 1e-9);
-    assert_eq!(told["material_status"], "published");
-    assert_eq!(told["assumed"][0], "straight teeth: the helix is not given");
+    close(&answer["mean_n"][0], -8.0 * 16.88 / 4.0 - 8.0 * 26.6 / pi, 1e-9);
+    close(&answer["mean_n"][1], 8.0 * 76.701 / 4.0 + 8.0 * 27.7 / pi, 1e-9);
+    close(&answer["mean_n"][2], 8.0 * 22.2 / pi + 8.0 * 0.7 / 2.0, 1e-9);
+    close(&answer["exit_deg"], 180.0, 1e-9);
+    close(&answer["power_w"], answer["moment_nm"].as_f64().unwrap() * 400.0 * pi, 1e-9);
+    assert_eq!(answer["material_status"], "published");
+    assert_eq!(answer["assumed"][0], "straight teeth: the helix is not given");
     for name in ["slot.svg", "slot.png", "slot.pdf", "slot.csv"] {
         let made = stiffarm(folder.path(), &["force", "slot.toml", "-q", "-o", name]);
         assert!(made.status.success() && folder.path().join(name).is_file(), "{made:?}");
@@ -194,9 +194,9 @@ fn a_process_is_told_with_its_figure() {
 const KUKA: &str = "KR 210 R2700 extra";
 
 /// One sample after the other: the joints of the table put a spindle of known length where the path says, and the error is the length of the
-/// displacement that is told.
+/// displacement that is reported.
 #[test]
-fn a_path_is_milled_and_every_sample_is_told() {
+fn a_path_is_milled_and_every_sample_is_reported() {
     let folder = TempDir::new().unwrap();
     let asked = [
         "mill",
@@ -222,11 +222,11 @@ fn a_path_is_milled_and_every_sample_is_told() {
         "-o",
         "path.src",
     ];
-    let told = json(folder.path(), &[&asked[..], &further[..]].concat());
-    assert_eq!((&told["feasible"], &told["pass"]), (&true.into(), &false.into()));
-    let (worst, lower) = (told["worst_mm"].as_f64().unwrap(), told["lower_bound_mm"].as_f64().unwrap());
+    let answer = json(folder.path(), &[&asked[..], &further[..]].concat());
+    assert_eq!((&answer["feasible"], &answer["pass"]), (&true.into(), &false.into()));
+    let (worst, lower) = (answer["worst_mm"].as_f64().unwrap(), answer["lower_bound_mm"].as_f64().unwrap());
     assert!(0.97 * worst < lower && lower <= worst, "{lower} {worst}");
-    close(&told["part"]["time_s"], 0.2 * std::f64::consts::PI / 0.02, 1e-3);
+    close(&answer["part"]["time_s"], 0.2 * std::f64::consts::PI / 0.02, 1e-3);
     let text = fs::read_to_string(folder.path().join("samples.csv")).unwrap();
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
@@ -240,14 +240,14 @@ fn a_path_is_milled_and_every_sample_is_told() {
         assert!((number("x_mm").hypot(number("y_mm")) - 100.0).abs() < 1e-9);
         most = most.max(size);
     }
-    close(&told["worst_mm"], most, 1e-12);
+    close(&answer["worst_mm"], most, 1e-12);
     let figure = fs::read_to_string(folder.path().join("figure.svg")).unwrap();
     assert!(figure.contains("every roll of the tool") && figure.contains("tolerance"));
     let program = fs::read_to_string(folder.path().join("path.src")).unwrap();
     assert!(program.contains("DEF") && program.contains("LIN {X"));
 }
 
-/// The compensated file is read back: every place of it lies as far from the first as is told, and nothing else has changed.
+/// The compensated file is read back: every place of it lies as far from the first as is reported, and nothing else has changed.
 #[test]
 fn a_compensated_path_is_written_back_into_its_file() {
     let folder = TempDir::new().unwrap();
@@ -256,12 +256,12 @@ fn a_compensated_path_is_written_back_into_its_file() {
     let asked =
         ["mill", "a.nc", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8"];
     let further = ["--compensate", "--stiffness-uncertainty", "0.2", "--roll", "constant", "-o", "b.nc"];
-    let told = json(folder.path(), &[&asked[..], &further[..]].concat());
-    let number = |key: &str| told["compensation"][key].as_f64().unwrap();
-    let worst = told["worst_mm"].as_f64().unwrap();
-    assert!(number("left_by_joints_mm") < 1e-6 && number("left_by_tips_mm") < 0.05 * worst, "{told}");
+    let answer = json(folder.path(), &[&asked[..], &further[..]].concat());
+    let number = |key: &str| answer["compensation"][key].as_f64().unwrap();
+    let worst = answer["worst_mm"].as_f64().unwrap();
+    assert!(number("left_by_joints_mm") < 1e-6 && number("left_by_tips_mm") < 0.05 * worst, "{answer}");
     // A fifth of the compliance, more or less, is a fifth of the error.
-    assert!(0.05 * worst < number("left_median_mm") && number("left_median_mm") < 0.3 * worst, "{told}");
+    assert!(0.05 * worst < number("left_median_mm") && number("left_median_mm") < 0.3 * worst, "{answer}");
     assert!(number("left_median_mm") < number("left_p95_mm"));
     let written = fs::read_to_string(folder.path().join("b.nc")).unwrap();
     assert!(
@@ -286,21 +286,21 @@ fn a_path_without_a_place_gets_the_best_one() {
     let folder = TempDir::new().unwrap();
     let asked =
         ["mill", "line:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "40"];
-    let (placed, told) = both(folder.path(), &asked);
+    let (placed, text) = both(folder.path(), &asked);
     let by_hand = json(folder.path(), &[&asked[..], &["--at", "1.7,0,0.8,20"]].concat());
-    let number = |told: &Value, key: &str| told[key].as_f64().unwrap();
+    let number = |answer: &Value, key: &str| answer[key].as_f64().unwrap();
     assert!(number(&placed, "worst_mm") < number(&by_hand, "worst_mm"));
     assert!(0.8 * number(&placed, "worst_mm") < number(&placed, "lower_bound_mm"));
-    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let bound = format!("proved lower bound {:.4} mm (gap", number(&placed, "lower_bound_mm"));
     for words in [bound.as_str(), "18 x 14 x 24 places ahead, up and turned, the best refined to"] {
-        assert!(told.contains(words), "{words}: {told}");
+        assert!(text.contains(words), "{words}: {text}");
     }
     // A force of one direction may not move the tip at all where nobody has looked closely enough.
-    let (placed, told) = both(folder.path(), &asked.map(|word| if word == "400" { "300,-120,80" } else { word }));
+    let (placed, text) = both(folder.path(), &asked.map(|word| if word == "400" { "300,-120,80" } else { word }));
     assert_eq!(placed["lower_bound_mm"], 0.0);
-    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(told.contains("proved lower bound not proved: "), "{told}");
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("proved lower bound not proved: "), "{text}");
     let nowhere = json(folder.path(), &[&asked[..], &["--within", "6..7,0..1"]].concat());
     assert_eq!(nowhere["feasible"], false);
     assert!(nowhere["worst_mm"].is_null() && nowhere["reason"].as_str().unwrap().contains("no place"));
@@ -324,14 +324,14 @@ fn where_a_part_must_stand_is_drawn_with_its_lengths() {
     assert!(String::from_utf8_lossy(&nowhere.stderr).contains("nothing to draw: the path has no place"), "{nowhere:?}");
 }
 
-/// What is pinned is kept, told, and drawn; the table has it at its sample.
+/// What is pinned is kept, reported, and drawn; the table has it at its sample.
 #[test]
 fn a_roll_is_pinned_where_it_is_asked_for() {
     let folder = TempDir::new().unwrap();
     let robot = ["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "400"];
     let asked = [&robot[..], &["--at", "1.7,0,0.8", "--pin", "0@120,100@150"]].concat();
-    let told = json(folder.path(), &asked);
-    assert_eq!(told["roll"]["pins"].as_array().unwrap().len(), 2);
+    let answer = json(folder.path(), &asked);
+    assert_eq!(answer["roll"]["pins"].as_array().unwrap().len(), 2);
     let csv = stiffarm(folder.path(), &[&asked[..], &["--format", "csv"]].concat());
     let csv = String::from_utf8(csv.stdout).unwrap();
     let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
@@ -403,9 +403,12 @@ fn no_program_has_joints_of_a_robot_whose_pendant_is_not_known_until_somebody_vo
     assert!(!program.contains("J1=") && first_lines[0].contains("WARNING: it is not known"), "{program}");
     let (program, _) = written("GP200R", &["--pendant-as-file"]);
     assert!(program.contains("J1=") && program.contains("WARNING"), "{program}");
-    let told = json(folder.path(), &[&asked[..8], &["--robot", "GP200R"]].concat());
-    assert_eq!(told["pendant"], "unknown");
-    assert!(told["remarks"].as_array().unwrap().iter().any(|one| one.as_str().unwrap().contains("GP200R")), "{told}");
+    let answer = json(folder.path(), &[&asked[..8], &["--robot", "GP200R"]].concat());
+    assert_eq!(answer["pendant"], "unknown");
+    assert!(
+        answer["remarks"].as_array().unwrap().iter().any(|one| one.as_str().unwrap().contains("GP200R")),
+        "{answer}"
+    );
     let (program, _) = written("R-2000iC/210R", &[]);
     assert!(program.contains("J1=") && !program.contains("WARNING"), "{program}");
 }

@@ -420,7 +420,7 @@ fn a_zone_below_the_base_is_pointed_out() {
 
 /// What is asked stands in the answer, and the place keeps it; where nothing is said, the ranking is the paper's.
 #[test]
-fn margins_are_asked_told_and_kept() {
+fn margins_are_asked_reported_and_kept() {
     let asked =
         ["--limit-margin-deg", "12", "--singular-margin-deg", "8", "--clear-of-base-m", "1.1", "--floor", "0.4"];
     let place = ["place", "KR 210 R2700 extra", "--task", "A:0.4", "--model", "spatial"];

@@ -204,8 +204,8 @@ fn a_ranking_has_every_robot_and_every_number_in_the_digits_of_its_table() {
                 [("deflection_mm", 3), ("lower_bound_mm", 3), ("x_m", 3), ("z_m", 3), ("smallest_margin_deg", 1)]
             {
                 let number = cell[key].as_f64().unwrap_or_else(|| panic!("{name}: {key}"));
-                let told = format!("{number:.digits$}").replace("-0.000", "0.000");
-                assert!(text.contains(&told), "{name}: {key} {told}");
+                let rounded = format!("{number:.digits$}").replace("-0.000", "0.000");
+                assert!(text.contains(&rounded), "{name}: {key} {rounded}");
             }
         }
     }
@@ -258,13 +258,13 @@ fn a_part_has_its_shop_drawing() {
     let [page, drawn, answer] = all_written(&asked, ["report.html", "shop.svg", "answer.json"]);
     let answer: Value = serde_json::from_slice(&answer).expect("JSON");
     let z_mm = answer["z_m"].as_f64().unwrap() * 1e3;
-    let told = read(&String::from_utf8(page).expect("text"));
+    let text = read(&String::from_utf8(page).expect("text"));
     for words in [
         "height of the middle of its underside above the base",
         &format!("{z_mm:.1} mm"),
         "the part's x axis from straight ahead, counterclockwise from above",
     ] {
-        assert!(told.contains(words), "{words}: {told}");
+        assert!(text.contains(words), "{words}: {text}");
     }
     let drawn = String::from_utf8(drawn).unwrap();
     for length in [format!(">{z_mm:.1}<"), ">100.0<".into(), ">x<".into()] {

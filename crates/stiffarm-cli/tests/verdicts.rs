@@ -38,8 +38,8 @@ fn page(asked: &[&str]) -> String {
 #[test]
 fn every_face_says_the_same_of_three_verdicts() {
     let prior = [&PLACE[..], &["--stiffness", "prior"]].concat();
-    let told = json(&prior);
-    let number = |key: &str| told[key].as_f64().expect("a number");
+    let answer = json(&prior);
+    let number = |key: &str| answer[key].as_f64().expect("a number");
     let (nominal, high) = (number("deflection_mm"), number("deflection_mm_p95"));
     for (asked, tolerance, word, code) in [
         (&prior, high * 1.001, "pass", 0),
@@ -48,10 +48,10 @@ fn every_face_says_the_same_of_three_verdicts() {
     ] {
         let tolerance = format!("{tolerance:.6}");
         let asked = [&asked[..], &["--tolerance-mm", &tolerance]].concat();
-        let told = json(&asked);
-        assert_eq!((&told["verdict"], &told["pass"]), (&word.into(), &(word != "fail").into()), "{tolerance}");
-        let probability = told["probability"].as_f64().expect("the prior says it");
-        assert_eq!(word == "pass", told["pass"] == true && 0.95 <= probability, "{probability}");
+        let answer = json(&asked);
+        assert_eq!((&answer["verdict"], &answer["pass"]), (&word.into(), &(word != "fail").into()), "{tolerance}");
+        let probability = answer["probability"].as_f64().expect("the prior says it");
+        assert_eq!(word == "pass", answer["pass"] == true && 0.95 <= probability, "{probability}");
         let (checked, text, _) = run(&[&asked[..], &["--check"]].concat());
         let says = format!("{word} (P = {:.0} %)", (100.0 * probability).floor());
         assert!(checked == code && text.contains(&says), "{checked} {says}: {text}");
@@ -61,7 +61,7 @@ fn every_face_says_the_same_of_three_verdicts() {
         assert!(page.contains("What &quot;holds&quot; means") || page.contains("What \"holds\" means"), "{tolerance}");
         let ranked = [&["rank", "--robots", KUKA, "--stiffness", "prior"], &asked[2..4], &asked[6..]].concat();
         let cell = &json(&ranked)["rows"][0]["cells"][0];
-        assert_eq!((&cell["verdict"], &cell["probability"]), (&told["verdict"], &told["probability"]));
+        assert_eq!((&cell["verdict"], &cell["probability"]), (&answer["verdict"], &answer["probability"]));
         let (_, text, _) = run(&[&ranked[..], &["-q"]].concat());
         assert!(text.contains(&format!("{word} ")) || text.contains(&format!("{word}, ")), "{text}");
     }
@@ -85,7 +85,7 @@ fn a_zone_under_a_process_is_that_under_its_mean_force() {
     assert!(by_hand["feasible"] == true, "{by_hand}");
     // The mean that is typed is rounded once more.
     for key in ["force_n", "deflection_mm", "lower_bound_mm"] {
-        let [a, b] = [&by_process, &by_hand].map(|told| told[key].as_f64().unwrap());
+        let [a, b] = [&by_process, &by_hand].map(|answer| answer[key].as_f64().unwrap());
         assert!((a / b - 1.0).abs() < 1e-12, "{key}: {a} {b}");
     }
     let ranked = json(&[&["rank", "--robots", KUKA, "--process", process, "--feed-deg", "30"], &spatial[..]].concat());
@@ -109,8 +109,8 @@ fn a_path_that_its_arm_may_miss_is_not_sure_on_any_face() {
     let process = "docs/examples/endmill.toml";
     let mill = ["mill", "docs/examples/plate.nc", "--robot", KUKA, "--tool", "spindle:250@90", "--process", process];
     let asked = [&mill[..], &["--at", "0.975,0,0.9", "--tolerance-mm", "0.45", "--compensate"]].concat();
-    let told = json(&asked);
-    for judged in [&told, &told["compensation"]] {
+    let answer = json(&asked);
+    for judged in [&answer, &answer["compensation"]] {
         assert!(0.95 <= judged["probability"].as_f64().unwrap(), "{judged}");
         assert_eq!(judged["verdict"], "pass, not sure");
     }
@@ -136,10 +136,10 @@ fn a_path_that_its_arm_may_miss_is_not_sure_on_any_face() {
 
 /// By hand: the KR 210 is sold for 210 kg; 1000 N weigh as much as 102 kg, which leaves 108.
 #[test]
-fn a_tool_is_told_against_the_payload() {
+fn a_tool_is_compared_with_the_payload() {
     for (mass, exceeded) in [("108", false), ("109", true)] {
-        let told = json(&[&PLACE[..], &["--tool-mass-kg", mass]].concat());
-        assert_eq!((&told["overloaded"], &told["payload_kg"]), (&exceeded.into(), &210.0.into()));
+        let answer = json(&[&PLACE[..], &["--tool-mass-kg", mass]].concat());
+        assert_eq!((&answer["overloaded"], &answer["payload_kg"]), (&exceeded.into(), &210.0.into()));
         let (_, text, _) = run(&["rank", "--robots", KUKA, "--task", "A:0.5", "--tool-mass-kg", mass]);
         assert_eq!(text.contains("no robot is advised"), exceeded, "{text}");
         assert!(text.contains("KUKA KR 210 R2700 extra (payload 210 kg)"), "{text}");
@@ -150,7 +150,7 @@ fn a_tool_is_told_against_the_payload() {
 /// By hand: 80 kg 0.9 m beside the flange turn axes 4 to 6 with 784.5 N m times `hypot(0.9, 0.215)` / 0.9 m = 725.9, and 706.1; a drive of
 /// axis 6 that holds 700 N m does not hold them, though the payload allows the mass.
 #[test]
-fn a_tool_is_told_against_what_the_wrist_may_carry() {
+fn a_tool_is_compared_with_what_the_wrist_may_carry() {
     let folder = TempDir::new().expect("a folder");
     let file = folder.path().join("mine.toml");
     let sheet = fs::read_to_string(Path::new(ROOT).join("crates/stiffarm/robots/kuka/kr_210_r2700_2.toml")).unwrap();
@@ -159,12 +159,13 @@ fn a_tool_is_told_against_what_the_wrist_may_carry() {
             .unwrap();
         let robot = file.to_str().unwrap();
         let held = ["--task", "A:0.3", "--force-n", "10", "--tool-mass-kg", "80", "--tool-com-mm", "900,0,0"];
-        let told = json(&[&["place", robot], &held[..]].concat());
-        let moments: Vec<f64> = told["wrist_moment_nm"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
+        let answer = json(&[&["place", robot], &held[..]].concat());
+        let moments: Vec<f64> =
+            answer["wrist_moment_nm"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
         for (found, by_hand) in moments.iter().zip([725.9, 725.9, 706.1]) {
             assert!((found - by_hand).abs() < 0.1, "{moments:?}");
         }
-        assert_eq!((&told["wrist_exceeded"], &told["overloaded"]), (&exceeded.into(), &false.into()));
+        assert_eq!((&answer["wrist_exceeded"], &answer["overloaded"]), (&exceeded.into(), &false.into()));
         let (_, text, _) = run(&[&["rank", "--robots", robot], &held[..]].concat());
         assert_eq!(text.contains("EXCEEDED about axis 6"), exceeded, "{text}");
         assert_eq!(text.contains("no robot is advised"), exceeded, "{text}");
@@ -182,11 +183,11 @@ fn a_report_says_of_which_files_and_which_process_it_is() {
     let page = page(&asked);
     for name in [process, robot] {
         let digest = Sha256::digest(fs::read(Path::new(ROOT).join(name)).expect("a file"));
-        let told: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
-        assert!(page.contains(&told), "{name}: {told}");
+        let hex: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        assert!(page.contains(&hex), "{name}: {hex}");
     }
-    for told in ["The process", "16.00 mm, 4 teeth", "12000.0 rpm", "Computed on 1970-01-02 (UTC)", "Nabtesco"] {
-        assert!(page.contains(told), "{told}");
+    for words in ["The process", "16.00 mm, 4 teeth", "12000.0 rpm", "Computed on 1970-01-02 (UTC)", "Nabtesco"] {
+        assert!(page.contains(words), "{words}");
     }
 }
 
@@ -195,13 +196,13 @@ fn a_report_says_of_which_files_and_which_process_it_is() {
 fn a_plan_says_what_decides_it_and_repeats_no_posture_often() {
     let asked = ["measure", KUKA, "--task", "circle:0.2", "--candidates", "300", "--runs", "8"];
     let spindle = [&asked[..], &["--tool", "spindle:250@90"]].concat();
-    let told = json(&spindle);
-    assert_eq!(told, json(&[&asked[..], &["--tool-mm", "250,0,0,0,90,0"]].concat()));
-    let runs = told["runs"].as_array().unwrap();
+    let plan = json(&spindle);
+    assert_eq!(plan, json(&[&asked[..], &["--tool-mm", "250,0,0,0,90,0"]].concat()));
+    let runs = plan["runs"].as_array().unwrap();
     let same = |run: &Value| runs.iter().filter(|other| other["joints_deg"] == run["joints_deg"]).count();
     assert!(runs.len() == 8 && runs.iter().all(|run| same(run) <= 2));
-    assert!(0.5 < told["unseen_share"].as_f64().unwrap() && told["unseen_drives"][0] == 1);
-    assert_eq!(told["advised_loads"], serde_json::json!(["left"]));
+    assert!(0.5 < plan["unseen_share"].as_f64().unwrap() && plan["unseen_drives"][0] == 1);
+    assert_eq!(plan["advised_loads"], serde_json::json!(["left"]));
     let (_, text, _) = run(&spindle);
     assert!(text.contains("MEASURE UNDER MORE LOADS") && text.contains("--loads down,left shows drive 1"), "{text}");
 }

@@ -58,26 +58,26 @@ fn postures_of_a_plane_agree_and_do_not_verify_joints_that_never_moved() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("pendant.csv"), table(1.0)).unwrap();
     let (code, out, errors) = run(&folder, &["robots", "verify", KUKA, "pendant.csv", "--format", "json"]);
-    let told = json(&out);
-    assert_eq!((code, &told["verified"]), (1, &Value::from(false)), "{errors}");
-    assert!(told["largest_mm"].as_f64().unwrap() < 0.002 && told["rows"] == 7, "{told}");
-    let alike = told["alike"].to_string();
+    let answer = json(&out);
+    assert_eq!((code, &answer["verified"]), (1, &Value::from(false)), "{errors}");
+    assert!(answer["largest_mm"].as_f64().unwrap() < 0.002 && answer["rows"] == 7, "{answer}");
+    let alike = answer["alike"].to_string();
     assert!(alike.contains("the sign of joint 4") && alike.contains("the sign of joint 6"), "{alike}");
     assert!(!alike.contains("joint 2") && !alike.contains("whether joint 3"), "{alike}");
-    assert!((1..=3).contains(&told["postures_deg"].as_array().unwrap().len()));
+    assert!((1..=3).contains(&answer["postures_deg"].as_array().unwrap().len()));
     assert!(errors.contains("is not verified") && errors.contains("hint: "));
 }
 
 #[test]
-fn a_sign_that_differs_is_told_written_and_then_agrees() {
+fn a_sign_that_differs_is_reported_written_and_then_agrees() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("pendant.csv"), table(-1.0)).unwrap();
     let asked = ["robots", "verify", KUKA, "pendant.csv", "--date", "2026-05-31", "-o", "mine.toml", "-o", "fits.json"];
     let (code, _, errors) = run(&folder, &asked);
     assert_eq!(code, 1, "{errors}");
-    let told = json(&fs::read_to_string(folder.path().join("fits.json")).unwrap());
-    let best = &told["fits"][0];
-    assert_eq!(best["sign"], serde_json::json!([1.0, 1.0, 1.0, -1.0, 1.0, -1.0]), "{told}");
+    let answer = json(&fs::read_to_string(folder.path().join("fits.json")).unwrap());
+    let best = &answer["fits"][0];
+    assert_eq!(best["sign"], serde_json::json!([1.0, 1.0, 1.0, -1.0, 1.0, -1.0]), "{answer}");
     assert!(best["rms_mm"].as_f64().unwrap() < 0.002 && best["third_axis"] == "elbow");
     assert_eq!(best["differences"], serde_json::json!(["joint 1 counts the other way"]));
     let (code, out, _) = run(&folder, &["robots", "verify", "mine.toml", "pendant.csv", "--format", "json"]);
@@ -89,14 +89,14 @@ fn the_robot_of_a_table_is_found_among_all() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("pendant.csv"), table(1.0)).unwrap();
     let (code, out, errors) = run(&folder, &["robots", "verify", "pendant.csv", "--any", "--format", "json"]);
-    let told = json(&out);
+    let answer = json(&out);
     assert_eq!(code, 0, "{errors}");
-    let fits = told["fits"].as_array().unwrap();
+    let fits = answer["fits"].as_array().unwrap();
     let of = |i: usize| fits[i]["rms_mm"].as_f64().unwrap();
     // Sister types may have the same lengths.
     let same =
         (0..fits.len()).take_while(|&i| of(i) < 0.01).map(|i| fits[i]["robot"].as_str().unwrap()).collect::<Vec<_>>();
-    assert!(same.contains(&KUKA) && 1.0 < of(same.len()), "{told}");
+    assert!(same.contains(&KUKA) && 1.0 < of(same.len()), "{answer}");
 }
 
 /// Of the first move in joints of a KRL program, deg.
@@ -131,7 +131,7 @@ fn what_cannot_be_asked_is_refused() {
 }
 
 #[test]
-fn a_calibration_is_told_drawn_written_and_used_in_programs() {
+fn a_calibration_is_reported_drawn_written_and_used_in_programs() {
     let folder = TempDir::new().unwrap();
     // Joint 2 stands 0.1 deg beyond what it reports.
     let mut text =
@@ -160,12 +160,15 @@ fn a_calibration_is_told_drawn_written_and_used_in_programs() {
     ];
     let (code, _, errors) = run(&folder, &asked);
     assert_eq!(code, 0, "{errors}");
-    let told = json(&fs::read_to_string(folder.path().join("c.json")).unwrap());
+    let answer = json(&fs::read_to_string(folder.path().join("c.json")).unwrap());
     // The prior pulls it back by a part that the rows do not feel.
-    assert!((told["zero_deg"][1].as_f64().unwrap() - 0.1).abs() < 1e-3, "{told}");
-    let levels = told["levels"].as_array().unwrap();
-    assert!(levels.len() == 5 && levels[0]["level"] == "as drawn" && told["level"] == "zeros");
-    assert!(levels[1]["rms_mm"].as_f64().unwrap() < 1e-3 && 1.0 < told["nominal_rms_mm"].as_f64().unwrap(), "{told}");
+    assert!((answer["zero_deg"][1].as_f64().unwrap() - 0.1).abs() < 1e-3, "{answer}");
+    let levels = answer["levels"].as_array().unwrap();
+    assert!(levels.len() == 5 && levels[0]["level"] == "as drawn" && answer["level"] == "zeros");
+    assert!(
+        levels[1]["rms_mm"].as_f64().unwrap() < 1e-3 && 1.0 < answer["nominal_rms_mm"].as_f64().unwrap(),
+        "{answer}"
+    );
     assert!(fs::read_to_string(folder.path().join("c.svg")).unwrap().contains("calibrated"));
     let (code, _, errors) = run(&folder, &["robots", "check", "mine.toml"]);
     assert!(code == 0 && errors.contains("its [calibration] is used by compliance, mill"), "{errors}");
@@ -189,9 +192,9 @@ fn a_calibration_is_told_drawn_written_and_used_in_programs() {
     let [sent, other] = [&calibrated, &drawn].map(|program| first_joint_2(program));
     assert!((sent + 0.1 - other).abs() < 2e-3, "{sent} {other}");
     let (_, out, errors) = milled(&["--robot", "mine.toml", "--format", "json"]);
-    let told = json(&out);
-    let of = |key: &str| told["true_arm"][key].as_f64().unwrap_or_else(|| panic!("{key}: {out} {errors}"));
-    assert!(1.0 < of("uncorrected_mm") && of("by_both_mm") < 1e-6 && told["arm_error"].is_null(), "{out}");
+    let answer = json(&out);
+    let of = |key: &str| answer["true_arm"][key].as_f64().unwrap_or_else(|| panic!("{key}: {out} {errors}"));
+    assert!(1.0 < of("uncorrected_mm") && of("by_both_mm") < 1e-6 && answer["arm_error"].is_null(), "{out}");
     let (_, out, _) = milled(&["--robot", KUKA, "--format", "json"]);
     let other = json(&out);
     assert!(other["true_arm"].is_null() && 0.0 < other["arm_error"]["p95_mm"].as_f64().unwrap(), "{out}");

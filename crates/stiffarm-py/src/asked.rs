@@ -46,13 +46,13 @@ type OptionRow = (String, String, Option<(usize, usize)>, bool, Option<&'static 
 /// The options of a verb, in the order of help, but for those of the program's figures.
 #[pyfunction]
 pub(crate) fn options(verb: &str) -> PyResult<Vec<OptionRow>> {
-    let told = self::verb(verb)?.settings().filter(|setting| !setting.is_of_figures()).map(|setting| {
+    let rows = self::verb(verb)?.settings().filter(|setting| !setting.is_of_figures()).map(|setting| {
         let bounds = if let Kind::Whole { min, max } = setting.kind { Some((min, max)) } else { None };
         let default = if let Absent::Default(text) = setting.absent { Some(text) } else { None };
         let is_required = setting.absent == Absent::Required;
         (setting.keyword(), kind(setting.kind), bounds, setting.is_list(), default, is_required, setting.described())
     });
-    Ok(told.collect())
+    Ok(rows.collect())
 }
 
 /// The name of a kind: `number`, `word`, `within`.

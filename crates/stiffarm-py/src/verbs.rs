@@ -72,7 +72,7 @@ struct Reply {
 /// A column: numbers in which NaN stands for what is absent, or everything else, in which null does.
 enum Column {
     Numbers(Vec<f64>),
-    Told(Value),
+    Values(Value),
 }
 
 /// The answer to a question: its `answer`, its `columns`, its `robot_file`, the `files` that were wanted, and for a figure what is `shown` and its
@@ -169,7 +169,7 @@ fn columns(rows: &Rows) -> Vec<(String, Column)> {
                 cells.map(|cell| if let Cell::Number(number) = cell { number } else { f64::NAN }).collect(),
             ),
             ColumnKind::Text | ColumnKind::Truth | ColumnKind::Count => {
-                Column::Told(cells.map(|cell| json_of(&cell)).collect())
+                Column::Values(cells.map(|cell| json_of(&cell)).collect())
             }
         };
         (column.name.clone(), found)
@@ -192,7 +192,7 @@ fn handed_over(py: Python<'_>, columns: Vec<(String, Column)>) -> PyResult<Bound
     for (name, column) in columns {
         match column {
             Column::Numbers(numbers) => handed.set_item(name, PyArray1::from_vec(py, numbers))?,
-            Column::Told(told) => handed.set_item(name, to_python(py, &told)?)?,
+            Column::Values(values) => handed.set_item(name, to_python(py, &values)?)?,
         }
     }
     Ok(handed)

@@ -1,4 +1,4 @@
-//! Python waits for long work: Ctrl-C stops it, and a callable is told how far it is.
+//! Python waits for long work: Ctrl-C stops it, and a callable is given how far it is.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -33,7 +33,7 @@ impl Progressed {
         self.total.store(total.unwrap_or(0), Ordering::Relaxed);
     }
 
-    /// Runs the handlers of signals that have come, and calls what wants to be told, once there is something to tell or nothing more to
+    /// Runs the handlers of signals that have come, and calls the callable, once there is something to report or nothing more to
     /// come; an exception stops the work.
     fn pass_on(&self, py: Python, progress: &Progress, is_last: bool) -> PyResult<()> {
         let passed = py.check_signals().and_then(|()| {
@@ -58,20 +58,20 @@ impl Waiting for Progressed {
     }
 }
 
-/// Runs work on the threads of a pool, while the thread that calls waits and passes on what it is told.
+/// Runs work on the threads of a pool, while the thread that calls waits and passes on its progress.
 pub(crate) fn on_pool<T: Send>(
     py: Python,
     pool: &ThreadPool,
     progress: &Progress,
     work: impl FnOnce(Watch) -> T + Send,
 ) -> PyResult<T> {
-    let told = &Progressed::new();
+    let progressed = &Progressed::new();
     let (sender, receiver) = channel();
     let waited = py.detach(move || {
         pool.in_place_scope(|scope| {
             scope.spawn(move |_| {
                 // Whoever waits is there until the scope ends.
-                let _ = sender.send(work(Watch::of(told)));
+                let _ = sender.send(work(Watch::of(progressed)));
             });
             let mut passed = Ok(());
             loop {
@@ -81,20 +81,20 @@ pub(crate) fn on_pool<T: Send>(
                     Err(RecvTimeoutError::Disconnected) => break passed.map(|()| None),
                     Err(RecvTimeoutError::Timeout) => {
                         if passed.is_ok() {
-                            passed = Python::attach(|py| told.pass_on(py, progress, false));
+                            passed = Python::attach(|py| progressed.pass_on(py, progress, false));
                         }
                     }
                 }
             }
         })
     })?;
-    told.pass_on(py, progress, true)?;
+    progressed.pass_on(py, progress, true)?;
     Ok(waited.expect("a panic has ended the scope"))
 }
 
 /// Work on the thread that calls: it looks about itself, from time to time.
 struct Alone<'a> {
-    told: Progressed,
+    progressed: Progressed,
     progress: &'a Progress,
     /// When it last did, and the exception that has stopped the work.
     looked: Mutex<(Instant, Option<PyErr>)>,
@@ -102,7 +102,7 @@ struct Alone<'a> {
 
 impl Waiting for Alone<'_> {
     fn is_wanted(&self) -> bool {
-        if !self.told.is_wanted() {
+        if !self.progressed.is_wanted() {
             return false;
         }
         // Only one thread comes here; where another holds the lock, it looks.
@@ -110,13 +110,13 @@ impl Waiting for Alone<'_> {
         if looked.0.elapsed() < EVERY {
             return true;
         }
-        let passed = Python::attach(|py| self.told.pass_on(py, self.progress, false));
+        let passed = Python::attach(|py| self.progressed.pass_on(py, self.progress, false));
         *looked = (Instant::now(), passed.err());
         looked.1.is_none()
     }
 
     fn progress(&self, done: usize, total: Option<usize>) {
-        self.told.take(done, total);
+        self.progressed.take(done, total);
     }
 }
 
@@ -126,10 +126,10 @@ pub(crate) fn alone<T: Send>(
     progress: &Progress,
     run: impl FnOnce(Watch) -> PyResult<T> + Send,
 ) -> PyResult<T> {
-    let alone = Alone { told: Progressed::new(), progress, looked: Mutex::new((Instant::now(), None)) };
+    let alone = Alone { progressed: Progressed::new(), progress, looked: Mutex::new((Instant::now(), None)) };
     let found = py.detach(|| run(Watch::of(&alone)));
     match alone.looked.into_inner().unwrap_or_else(PoisonError::into_inner).1 {
         Some(exception) => Err(exception),
-        None => alone.told.pass_on(py, progress, true).and(found),
+        None => alone.progressed.pass_on(py, progress, true).and(found),
     }
 }

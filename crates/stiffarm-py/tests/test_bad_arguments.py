@@ -104,7 +104,7 @@ def test_numbers_out_of_range_are_named():
 
 
 @pytest.mark.parametrize(
-    ("options", "words", "typed", "told"),
+    ("options", "words", "typed", "raised"),
     [
         ({"gap": 0.01}, ["--gap", "0.01"], "--gap needs --zone", "gap needs zone"),
         ({"within_m": "0.."}, ["--within", "0.."], "--within needs --zone", "within_m needs zone"),
@@ -122,10 +122,10 @@ def test_numbers_out_of_range_are_named():
         ),
     ],
 )  # fmt: skip
-def test_the_program_and_the_package_refuse_the_same(refusal, options, words, typed, told):
+def test_the_program_and_the_package_refuse_the_same(refusal, options, words, typed, raised):
     with pytest.raises(StiffarmError) as error:
         stiffarm.map(ROBOT, **options)
-    assert told in str(error.value)
+    assert raised in str(error.value)
     assert typed in refusal("map", ROBOT.name, *words)
 
 

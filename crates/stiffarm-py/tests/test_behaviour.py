@@ -211,6 +211,6 @@ def test_a_place_keeps_what_was_asked():
 def test_what_an_import_noted_is_a_warning():
     urdf = Path(__file__).parents[3] / "docs" / "examples" / "example_150.urdf"
     for read in (Robot, Robot.from_urdf):
-        with pytest.warns(UserWarning, match="example_150.urdf: ") as told:
+        with pytest.warns(UserWarning, match="example_150.urdf: ") as caught:
             assert read(urdf).name == "Example 150"
-        assert len(told) > 1
+        assert len(caught) > 1

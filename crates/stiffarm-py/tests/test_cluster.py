@@ -34,7 +34,7 @@ def test_every_row_is_what_place_says(done):
 def test_doubled_forces_give_the_bits_that_are_computed(model):
     options = {"model": model, "tolerance_mm": "1.5"}
     forces = [375.3 * 2**k for k in (0, 1, -2, 3)]
-    robots = cluster._told_apart(ROBOTS if model == "planar" else ROBOTS[:1])
+    robots = cluster._distinguished(ROBOTS if model == "planar" else ROBOTS[:1])
     asked = _question.Question(robots, ["B:0.5", "A:9"], ["B:0.5", "A:9"], forces, options, cluster.spread(1), 99)
     alone = [
         row
@@ -196,8 +196,8 @@ def test_a_scenario_that_fails_for_one_robot_counts_for_none(client, tmp_path):
     scenarios[[1, 4], 0] = np.nan
     names = ["KR 210 R2700 extra", "IRB 6650S-200"]
     found = cluster.sweep(names, tasks="A:0.3", scenarios=scenarios, client=client, folder=tmp_path / "f").wins()
-    told = {row["robot"]: (row["scenarios"], row["errors"], row["share"]) for row in found.rows}
-    assert told == {names[0]: (4, 2, 1.0), names[1]: (4, 0, 0.0)}
+    counted = {row["robot"]: (row["scenarios"], row["errors"], row["share"]) for row in found.rows}
+    assert counted == {names[0]: (4, 2, 1.0), names[1]: (4, 0, 0.0)}
 
 
 @pytest.mark.filterwarnings("ignore:.*beyond its limits")
@@ -207,19 +207,19 @@ def test_a_number_of_scenarios_draws_the_drives_as_every_interval_does(client, t
     made = cluster.sweep(names, tasks="circle:0.1", scenarios=2, client=client, folder=tmp_path / "d", **options)
     question, rows = _question.read_question(made.folder), made.to_arrow().to_pylist()
     asked = {"joints_deg": [10.0, -70.0, 100.0, 20.0, 40.0, 0.0], "force_n": [300.0, -500.0, 800.0]}
-    _, drawn = cluster._drawn(cluster._told_apart(names), {"model": "spatial"}, 2000)
+    _, drawn = cluster._drawn(cluster._distinguished(names), {"model": "spatial"}, 2000)
     for r, name in enumerate(names):
         mine = [[row[f"compliance_factor_{drive}"] for drive in range(1, 7)] for row in rows if row["robot"] == name]
         assert np.array_equal(mine, drawn[:2, r])
         nominal = Robot.from_toml(question.robots[r]["toml"])
-        told = stiffarm.compliance(name, stiffness="prior", **asked).to_dict()
-        assert nominal.drive_urad_per_nm == pytest.approx(told["drive_urad_per_nm"], rel=1e-12)
+        posture = stiffarm.compliance(name, stiffness="prior", **asked).to_dict()
+        assert nominal.drive_urad_per_nm == pytest.approx(posture["drive_urad_per_nm"], rel=1e-12)
         moved = []
         for factors in drawn[:, r]:
             arm = nominal.with_compliance(drive_urad_per_nm=nominal.drive_urad_per_nm * factors)
             moved.append(np.linalg.norm(stiffarm.compliance(arm, **asked).to_dict()["deflection_mm"]))
         fifth, last = np.sort(moved)[[100, 1899]]
-        assert (fifth, last) == pytest.approx((told["deflection_mm_p05"], told["deflection_mm_p95"]), rel=1e-9)
+        assert (fifth, last) == pytest.approx((posture["deflection_mm_p05"], posture["deflection_mm_p95"]), rel=1e-9)
 
 
 def test_a_robot_of_which_nothing_is_known_has_no_draws(client, tmp_path):
@@ -252,8 +252,8 @@ def test_who_holds_the_tolerance_how_often(client, tmp_path):
         assert np.allclose((row["held_share_low"], row["held_share_high"]), (low, high), rtol=0, atol=1e-12)
         shares.add(share)
     assert 0.0 in shares and any(0 < share < 1 for share in shares)
-    told = [line for line in wins.summary if "holds 1.2 mm in" in line]
-    assert told and all("% of them (95 % confidence" in line for line in told)
+    sentences = [line for line in wins.summary if "holds 1.2 mm in" in line]
+    assert sentences and all("% of them (95 % confidence" in line for line in sentences)
     assert {"held_share", "held_share_low", "held_share_high"} <= set(wins.to_pandas().columns)
     assert cluster.load(found.folder).wins() == wins
 

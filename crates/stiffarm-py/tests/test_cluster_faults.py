@@ -119,8 +119,8 @@ def test_a_scheduler_of_the_command_line_that_dies(slow, client, tmp_path):
         return programs[-1].stderr
 
     try:
-        told = start("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
-        address = next(found[0] for line in told if (found := re.search(r"tcp://[\d.:]+", line)))
+        lines = start("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+        address = next(found[0] for line in lines if (found := re.search(r"tcp://[\d.:]+", line)))
         refused("has no workers", folder=folder, client=address, timeout_s=0.5)
         start("distributed.cli.dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard")
 

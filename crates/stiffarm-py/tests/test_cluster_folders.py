@@ -75,9 +75,9 @@ def test_no_flipped_bit_goes_unnoticed(small, tmp_path):
             flipped = bytearray(whole)
             flipped[bit // 8] ^= 1 << bit % 8
             path.write_bytes(flipped)
-            with pytest.raises(StiffarmError, match=r"_sha256sums|_question\.json|_scenarios\.npy|part-") as told:
+            with pytest.raises(StiffarmError, match=r"_sha256sums|_question\.json|_scenarios\.npy|part-") as error:
                 cluster.load(folder)
-            assert str(folder) in str(told.value), (path.name, bit)
+            assert str(folder) in str(error.value), (path.name, bit)
         path.write_bytes(whole)
     assert cluster.load(folder).to_arrow().equals(small[1])
 

@@ -174,8 +174,8 @@ def test_the_notebook_for_compas_runs_against_the_server(tmp_path, monkeypatch, 
     monkeypatch.chdir(tmp_path)
     with subprocess.Popen([path_of_program(), "serve"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as server:
         try:
-            told = server.stdout.readline()
-            monkeypatch.setenv("STIFFARM_SERVER", told[told.index("http://") :].split()[0].rstrip("/"))
+            line = server.stdout.readline()
+            monkeypatch.setenv("STIFFARM_SERVER", line[line.index("http://") :].split()[0].rstrip("/"))
             names: dict[str, object] = {}
             for i, cell in enumerate(cell for cell in notebook["cells"] if cell["cell_type"] == "code"):
                 exec(compile("".join(cell["source"]), f"cell {i}", "exec"), names)

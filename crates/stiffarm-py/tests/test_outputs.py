@@ -95,14 +95,14 @@ def test_what_cannot_be_written_is_said_and_nothing_is_left(tmp_path):
 
 
 def test_the_papers_folder_is_that_of_the_program(tmp_path):
-    told = []
-    index = stiffarm.paper(tmp_path / "mine", progress=lambda done, total: told.append((done, total)))
+    seen = []
+    index = stiffarm.paper(tmp_path / "mine", progress=lambda done, total: seen.append((done, total)))
     subprocess.run([path_of_program(), "paper", "-o", str(tmp_path / "theirs"), "--quiet"], check=True, capture_output=True)
     names = sorted(path.name for path in (tmp_path / "theirs").iterdir())
     assert index == tmp_path / "mine" / "index.md" and sorted(path.name for path in index.parent.iterdir()) == names
     for name in names:
         assert (index.parent / name).read_bytes() == (tmp_path / "theirs" / name).read_bytes(), name
-    assert told[-1] == (len(told), len(told))
+    assert seen[-1] == (len(seen), len(seen))
     (tmp_path / "file").write_text("")
     with pytest.raises(stiffarm.StiffarmError, match="cannot make"):
         stiffarm.paper(tmp_path / "file")
@@ -140,6 +140,6 @@ def test_what_is_odd_about_a_posture_is_said():
 def test_a_report_says_what_no_file_holds(tmp_path):
     usual = stiffarm.Robot("BT200L")
     softer = usual.with_compliance(drive_urad_per_nm=2)
-    for robot, is_told in [(usual, False), (softer, True)]:
+    for robot, is_named in [(usual, False), (softer, True)]:
         stiffarm.place(robot, task="A:0.3", output=tmp_path / "a.html")
-        assert ("handed over by a program: BT200L" in (tmp_path / "a.html").read_text("utf-8")) == is_told
+        assert ("handed over by a program: BT200L" in (tmp_path / "a.html").read_text("utf-8")) == is_named

@@ -18,7 +18,7 @@ def test_the_force_of_a_process_is_the_programs(program) -> None:
     assert force.to_dict() == program("force", str(PROCESS))
     assert np.all(force.min_n <= force.mean_n) and np.all(force.mean_n <= force.max_n)
     frame = force.to_pandas()
-    # Evenly over a revolution: the mean of the columns is the mean that is told in closed form.
+    # Evenly over a revolution: the mean of the columns is the mean that is given in closed form.
     assert np.allclose(frame[["feed_n", "across_n", "axial_n"]].mean(), force.mean_n, rtol=1e-4)
 
 
@@ -55,8 +55,8 @@ def test_a_milled_path_is_the_programs(program) -> None:
     options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at": (1.7, 0, 0.8, 20), "roll": "constant"}
     milled = stiffarm.mill("circle:0.2", "KR 210 R2700 extra", tolerance_mm=0.3, compensate=True, **options)
     typed = ["--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20", "--roll", "constant"]
-    told = program("mill", "circle:0.2", "--robot", "KR 210 R2700 extra", *typed, "--tolerance-mm", "0.3", "--compensate")
-    assert milled.to_dict() == told
+    answer = program("mill", "circle:0.2", "--robot", "KR 210 R2700 extra", *typed, "--tolerance-mm", "0.3", "--compensate")
+    assert milled.to_dict() == answer
     frame = milled.to_pandas()
     assert len(frame) == milled.part["samples"] and frame["error_mm"].max() == milled.worst_mm
     assert milled.passes is False and milled.at_m.shape == (3,)
@@ -89,7 +89,7 @@ def test_who_mills_must_be_clear() -> None:
 
 
 def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
-    """As the program writes them, at the place that the answer told."""
+    """As the program writes them, at the place that the answer gives."""
     import os
     import subprocess
 
@@ -99,11 +99,11 @@ def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
     milled = stiffarm.mill(file, "KR 210 R2700 extra", **options)
     typed = ["--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20", "--compensate"]
     program = os.environ.get("STIFFARM_PROGRAM", str(ROOT / "target/debug/stiffarm"))
-    for ending, told in [("src", milled.program("src")), ("mod", milled.program("mod")), ("ls", milled.program("ls")), ("nc", milled.rewritten())]:
+    for ending, text in [("src", milled.program("src")), ("mod", milled.program("mod")), ("ls", milled.program("ls")), ("nc", milled.rewritten())]:
         written = tmp_path / f"out.{ending}"
         asked = [program, "mill", str(file), "--robot", "KR 210 R2700 extra", *typed, "-o", str(written), "--quiet"]
         subprocess.run(asked, check=True, capture_output=True)
-        assert told == written.read_text(), ending
+        assert text == written.read_text(), ending
     plain = stiffarm.mill("line:0.1", "KR 210 R2700 extra", feed_mm_per_min=600, force_n=400, at=(1.7, 0, 0.8, 20))
     assert plain.program("src").startswith("&ACCESS") or "DEF" in plain.program("src")
     for refused, says in [(plain.rewritten, "built in"), (lambda: plain.program("exe"), "expected src, mod, ls, py or yaml")]:  # type: ignore[arg-type]

@@ -46,7 +46,7 @@ def test_rankings():
     plt.close("all")
     given = stiffarm.rank(tasks=["A:0.1"], drive_urad_per_nm=2)
     assert plot.ranking(given).figure.get_suptitle().endswith("stiffness of the drives: given")
-    # One task, some of the robots, a scale: what lies beyond is told.
+    # One task, some of the robots, a scale: what lies beyond is marked.
     ax = picture(plot.ranking(stiffarm.rank(tasks="A:0.1"), most=6, scale=(0, 1.5)))
     assert len(bars(ax)) == 6 and max(bars(ax)) == 1.5
     assert ax.texts[-1].get_text().startswith("» ") and len(ax.get_yticks()) == 6

@@ -1,4 +1,4 @@
-"""Ctrl-C ends long calls soon, and who waits is told how far they are."""
+"""Ctrl-C ends long calls soon, and a callable is given how far they are."""
 
 import subprocess
 import sys
@@ -67,20 +67,20 @@ CALLS = {
 
 @pytest.mark.parametrize("call", CALLS)
 @pytest.mark.parametrize("threads", [None, 1])
-def test_a_callable_is_told_and_changes_nothing(call, threads):
-    told = []
+def test_a_callable_is_called_and_changes_nothing(call, threads):
+    seen = []
     stiffarm.set_threads(threads)
     try:
-        answer = CALLS[call](progress=lambda done, total: told.append((done, total)))
+        answer = CALLS[call](progress=lambda done, total: seen.append((done, total)))
     finally:
         stiffarm.set_threads(None)
     assert answer == CALLS[call]() == CALLS[call](progress=True) == CALLS[call](progress=False)
-    done, total = told[-1]
+    done, total = seen[-1]
     if call in ("place", "measure"):
         assert 0 < done and total is None
     else:
         assert done == total == {"rank": 6, "compliance": 3, "identify": 5}.get(call, total)
-    assert told == sorted(told, key=lambda one: one[0])
+    assert seen == sorted(seen, key=lambda one: one[0])
 
 
 class Enough(Exception):
@@ -104,10 +104,10 @@ def test_what_a_callable_raises_ends_the_call(call, threads):
 
 
 def test_long_work_is_stopped_by_what_a_callable_raises():
-    told = []
+    seen = []
 
     def refuse(done, total):
-        told.append((done, total))
+        seen.append((done, total))
         raise Enough
 
     for threads in (None, 1):
@@ -117,10 +117,10 @@ def test_long_work_is_stopped_by_what_a_callable_raises():
                 stiffarm.rank("all", tasks="rect:0.4x0.3", model="spatial", tool_mm=(100, 50, 250), progress=refuse)
         finally:
             stiffarm.set_threads(None)
-    assert len(told) == 2 and all(done < total for done, total in told)
+    assert len(seen) == 2 and all(done < total for done, total in seen)
 
 
-def test_only_what_can_be_told_is_taken():
+def test_only_what_can_be_called_is_taken():
     for call in CALLS.values():
         with pytest.raises(StiffarmError, match="progress is a str; expected None, True or a callable"):
             call(progress="yes")

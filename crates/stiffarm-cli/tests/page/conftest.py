@@ -22,15 +22,15 @@ def origin() -> Iterator[str]:
     """The address at which the program serves, as it tells it."""
     program = os.environ.get("STIFFARM_PROGRAM", "target/debug/stiffarm")
     served = subprocess.Popen([program, "serve"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    told = ""
+    output = ""
     assert served.stdout is not None
     for line in served.stdout:
-        told += line
+        output += line
         if found := re.search(r"http://127\.0\.0\.1:\d+", line):
             yield found[0]
             break
     else:
-        pytest.fail(f"`stiffarm serve` told no address: {told}")
+        pytest.fail(f"`stiffarm serve` printed no address: {output}")
     served.terminate()
     served.wait(timeout=20)
 

@@ -123,7 +123,7 @@ def test_an_option_that_is_refused_says_so_at_its_control(look: Open) -> None:
     expect(field.locator(".fault")).to_be_empty()
 
 
-def test_values_are_told_under_the_pointer(look: Open) -> None:
+def test_values_are_shown_under_the_pointer(look: Open) -> None:
     page = look("#place")
     box = page.locator("#look .section .picture").bounding_box()
     assert box is not None

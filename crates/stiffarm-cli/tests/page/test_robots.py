@@ -72,15 +72,15 @@ def test_a_robot_of_the_ranking_is_placed(look: Open) -> None:
     expect(page.locator("#number")).to_contain_text("1.9410 mm")
 
 
-def test_a_bad_robot_file_is_told_with_its_lines_and_not_used(look: Open) -> None:
+def test_a_bad_robot_file_is_reported_with_its_lines_and_not_used(look: Open) -> None:
     page = look("#place", refused=True)
     before = page.url
     bad = {"name": "bad.toml", "mimeType": "text/plain", "buffer": b'name = "x"\n[planar]\nl2_mm = -5\n'}
     page.get_by_label("open a robot file for robot").and_(page.locator("input")).set_input_files(files=[bad])
-    told = page.locator(".checked")
-    expect(told).to_contain_text("bad.toml cannot be used")
-    expect(told).to_contain_text("line 3")
-    expect(told).to_contain_text("-5 mm is too small to be true")
+    checked = page.locator(".checked")
+    expect(checked).to_contain_text("bad.toml cannot be used")
+    expect(checked).to_contain_text("line 3")
+    expect(checked).to_contain_text("-5 mm is too small to be true")
     assert page.url == before
 
 

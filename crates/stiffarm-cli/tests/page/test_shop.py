@@ -51,7 +51,7 @@ def test_a_toolpath_and_a_process_are_opened_and_a_program_downloaded(look: Open
     assert b"DEF" in Path(saved.value.path()).read_bytes()
 
 
-def test_whether_the_cuts_swing_is_told_and_drawn_over_the_speed_of_the_spindle(look: Open) -> None:
+def test_whether_the_cuts_swing_is_reported_and_drawn_over_the_speed_of_the_spindle(look: Open) -> None:
     address = "#mill?mill.at=1.7,0,0.8&robot=KR+210+R2700-2&tool=spindle:250@90"
     page = look(address, refused=True)
     page.get_by_label("open a file for path").and_(page.locator("input")).set_input_files(PATHS / "contour_ij.nc")
@@ -86,7 +86,7 @@ def test_a_process_is_opened_with_the_table_of_forces_that_it_names(look: Open, 
     expect(page.locator("#number")).to_have_text(known)
 
 
-def test_postures_are_told_and_a_table_to_fill_in_is_downloaded(look: Open) -> None:
+def test_postures_are_listed_and_a_table_to_fill_in_is_downloaded(look: Open) -> None:
     page = look("#measure?measure.runs=6&measure.candidates=200")
     expect(page.locator(".plan tbody tr")).to_have_count(6)
     with page.expect_download() as saved:

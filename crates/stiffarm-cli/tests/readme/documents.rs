@@ -76,7 +76,7 @@ fn the_contents_name_every_chapter() {
 }
 
 #[test]
-fn every_verb_is_named_wherever_verbs_are_told() {
+fn every_verb_is_named_wherever_verbs_are_listed() {
     let help = Command::cargo_bin("stiffarm").unwrap().arg("--help").output().unwrap();
     let help = String::from_utf8(help.stdout).unwrap();
     let library = document("crates/stiffarm/src/lib.rs").text;

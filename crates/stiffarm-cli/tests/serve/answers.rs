@@ -125,11 +125,11 @@ fn files_pictures_and_programs_come_as_the_command_line_writes_them() {
         assert!(reply.body == fs::read(folder.path().join(file)).unwrap(), "{form}");
         assert_eq!(reply.header("content-disposition"), Some(format!("attachment; filename=\"{file}\"").as_str()));
     }
-    let told = served.ask("/api/place?as=command", &place).json();
-    assert_eq!(told["command"], "stiffarm place BT200L --task circle:0.3");
-    assert_eq!(told["python"], "stiffarm.place(\"BT200L\", task=\"circle:0.3\")");
-    assert_eq!(served.ask("/api/place?as=job", &place).text(), told["job"]);
-    fs::write(folder.path().join("job.toml"), told["job"].as_str().unwrap()).unwrap();
+    let commands = served.ask("/api/place?as=command", &place).json();
+    assert_eq!(commands["command"], "stiffarm place BT200L --task circle:0.3");
+    assert_eq!(commands["python"], "stiffarm.place(\"BT200L\", task=\"circle:0.3\")");
+    assert_eq!(served.ask("/api/place?as=job", &place).text(), commands["job"]);
+    fs::write(folder.path().join("job.toml"), commands["job"].as_str().unwrap()).unwrap();
     assert_eq!(typed(&folder, &["place", "job.toml", "--format", "json"]), served.ask("/api/place", &place).body);
     let map = served.ask("/api/map?as=svg", &json!({ "options": { "robot": "BT200L", "size": 40 } })).text();
     assert!(["data-x0-px", "data-z0-m", "data-px-per-m"].iter().all(|key| map.lines().next().unwrap().contains(key)));
@@ -229,9 +229,9 @@ fn a_table_that_decides_says_which_line_does() {
         ),
     ] {
         let question = json!({ "options": options, "files": { "data.csv": measured } });
-        let told = served.ask(&format!("/api/{verb}?as=tables"), &question);
-        assert_eq!(told.status, 200, "{verb}: {}", told.text());
-        let sheet = &told.json()["tables"][0];
+        let reply = served.ask(&format!("/api/{verb}?as=tables"), &question);
+        assert_eq!(reply.status, 200, "{verb}: {}", reply.text());
+        let sheet = &reply.json()["tables"][0];
         let row = sheet["rows"].as_array().unwrap().iter().find(|row| row[0] == name);
         assert_eq!(row.map(|row| &row[1]), Some(&sheet["lead"]["value"]), "{sheet:#}");
         assert_eq!(sheet["lead"]["means"], means);
@@ -258,13 +258,13 @@ fn of_several_tools_the_one_that_errs_most_decides() {
         assert_eq!(reply.status, 200, "{}", reply.text());
         reply.json()
     };
-    let leads = |told: &Value| -> Vec<Value> {
-        let tables = told["tables"]["tables"].as_array().unwrap();
+    let leads = |answer: &Value| -> Vec<Value> {
+        let tables = answer["tables"]["tables"].as_array().unwrap();
         tables.iter().map(|table| table["lead"].clone()).filter(|lead| !lead.is_null()).collect()
     };
-    let told = ask([1.6, 0.0, 0.8]);
-    let [lead] = leads(&told).try_into().unwrap();
-    let of_tool = |i: usize| told["json"]["by_tool"][i]["worst_mm"].as_f64().unwrap();
+    let answer = ask([1.6, 0.0, 0.8]);
+    let [lead] = leads(&answer).try_into().unwrap();
+    let of_tool = |i: usize| answer["json"]["by_tool"][i]["worst_mm"].as_f64().unwrap();
     assert!(of_tool(0) < of_tool(1), "{of_tool:?}", of_tool = [of_tool(0), of_tool(1)]);
     assert_eq!(lead["value"], format!("{:.4} mm, by T2", of_tool(1)));
     let far = ask([9.0, 0.0, 0.8]);

@@ -72,9 +72,9 @@ fn a_path_of_more_samples_than_memory_has_room_for_is_refused_before_they_are_ma
             let mut asked = options.clone();
             asked.as_object_mut().unwrap().extend(who.as_object().unwrap().clone());
             asked["force-n"] = json!(100);
-            let told = served.ask("/api/mill", &json!({ "options": asked, "files": { "a.nc": drilled } }));
-            assert_eq!(told.status, 400, "{asked}: {}", told.text());
-            assert!(told.text().contains("step-mm of"), "{asked}: {}", told.text());
+            let reply = served.ask("/api/mill", &json!({ "options": asked, "files": { "a.nc": drilled } }));
+            assert_eq!(reply.status, 400, "{asked}: {}", reply.text());
+            assert!(reply.text().contains("step-mm of"), "{asked}: {}", reply.text());
         }
     }
 }
@@ -222,9 +222,9 @@ fn what_is_malformed_is_refused_with_a_word_and_harms_nobody() {
     ] {
         let reply = served.post(path, "", body);
         assert_eq!(reply.status, status, "{body}: {}", reply.text());
-        let told = reply.json();
-        assert!(told["error"].as_str().unwrap().contains(words), "{body}: {told}");
-        assert!(!told["hint"].as_str().unwrap().is_empty());
+        let refusal = reply.json();
+        assert!(refusal["error"].as_str().unwrap().contains(words), "{body}: {refusal}");
+        assert!(!refusal["hint"].as_str().unwrap().is_empty());
     }
     let nested = format!("{{\"options\": {}", "[".repeat(100_000));
     assert_eq!(served.post("/api/place", "", &nested).status, 400);

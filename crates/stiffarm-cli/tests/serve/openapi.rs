@@ -115,13 +115,13 @@ fn held(served: &Served, whole: &Value, (path, asked): (&str, &str), body: Optio
     let response = &whole["paths"][path][method]["responses"][reply.status.to_string()];
     assert!(!response.is_null(), "{asked}: {} is not described", reply.status);
     let schema = &response["content"]["application/json"]["schema"];
-    let told = reply.json();
-    let wrong = unlike(&told, schema, whole);
+    let content = reply.json();
+    let wrong = unlike(&content, schema, whole);
     assert_eq!(wrong, None, "{asked}: {}", reply.text());
     let is_answer = schema["anyOf"][0]["$ref"] == "#/components/schemas/Answer";
     if is_answer && !asked.contains(',') {
         let known = &whole["components"]["schemas"]["Answer"]["properties"];
-        for key in told.as_object().unwrap().keys() {
+        for key in content.as_object().unwrap().keys() {
             assert!(known[key]["description"].is_string(), "{asked}: {key} is not described");
         }
     }
@@ -132,7 +132,7 @@ fn body_schema<'a>(whole: &'a Value, path: &str) -> &'a Value {
     &whole["paths"][path]["post"]["requestBody"]["content"]["application/json"]["schema"]
 }
 
-/// Of no robot: what is told has its keys all the same.
+/// Of no robot: the answer has its keys all the same.
 const READINGS: &str = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n0,10,0,0,45,0,1500,0,900\n10,20,5,7,40,0,1400,200,900\n\
                         20,30,-5,-9,50,0,1500,500,1100\n30,0,15,20,30,0,1300,700,1000\n";
 
@@ -250,10 +250,10 @@ fn every_option_takes_what_is_described() {
             .find(|value| unlike(value, schema, &whole).is_none());
             let value = value.unwrap_or_else(|| panic!("{name} {key}: {example} is not as described: {schema}"));
             let reply = served.ask(&format!("{path}?as=job"), &json!({ "options": { key: value } }));
-            let told = reply.text();
+            let text = reply.text();
             let is_of_value =
-                told.contains("invalid value") || told.contains("no option") || told.contains("given twice");
-            assert!(!is_of_value, "{name} {key} = {value}: {told}");
+                text.contains("invalid value") || text.contains("no option") || text.contains("given twice");
+            assert!(!is_of_value, "{name} {key} = {value}: {text}");
         }
     }
 }

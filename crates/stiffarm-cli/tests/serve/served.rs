@@ -79,7 +79,7 @@ impl Served {
 /// Reads until the server hangs up.
 pub(crate) fn heard(mut stream: TcpStream) -> Reply {
     let mut bytes = Vec::new();
-    // A line that is reset has told all that it will.
+    // A connection that is reset has sent all that it will.
     let _ = stream.read_to_end(&mut bytes);
     let end = bytes
         .windows(4)

@@ -21,8 +21,8 @@ fn begun(reader: &mut impl BufRead) -> Value {
     loop {
         let mut line = String::new();
         assert_ne!(reader.read_line(&mut line).expect("it tells"), 0, "it ended before it began");
-        let told = serde_json::from_str::<Value>(&line).unwrap_or_default();
-        let progress = &told["progress"];
+        let message = serde_json::from_str::<Value>(&line).unwrap_or_default();
+        let progress = &message["progress"];
         if progress["doing"].as_str().is_some_and(|doing| doing != "waiting") {
             return progress.clone();
         }
@@ -30,7 +30,7 @@ fn begun(reader: &mut impl BufRead) -> Value {
 }
 
 #[test]
-fn who_hangs_up_frees_the_worker_and_a_full_line_is_told_at_once() {
+fn who_hangs_up_frees_the_worker_and_a_full_line_is_reported_at_once() {
     let served = Served::start(&["--threads", "1"]);
     let accept = "Accept: application/x-ndjson\r\n";
     let long_question = served.question("/api/rank", accept, &long().to_string());
@@ -143,7 +143,7 @@ fn who_hangs_up_on_a_file_frees_the_worker() {
 }
 
 #[test]
-fn it_ends_when_it_is_told_to_and_says_so_by_its_exit_code() {
+fn it_ends_when_it_is_asked_to_and_says_so_by_its_exit_code() {
     for signal in ["-INT", "-TERM"] {
         let mut served = Served::start(&[]);
         assert_eq!(served.get("/").status, 200);
@@ -158,7 +158,7 @@ fn it_ends_when_it_is_told_to_and_says_so_by_its_exit_code() {
     assert!(!taken.status.success() && String::from_utf8_lossy(&taken.stderr).contains("hint: --port 0"));
 }
 
-/// Told to end, it lets out an answer that is nearly there; one that takes minutes is broken off, and it ends all the same.
+/// Asked to end, it lets out an answer that is nearly there; one that takes minutes is broken off, and it ends all the same.
 #[test]
 fn an_answer_under_way_goes_out_before_it_ends_and_one_that_takes_minutes_does_not_hold_it() {
     let short = json!({ "options": { "robot": "BT200L", "task": "rect:0.3x0.2", "model": "spatial" } });

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Union
 
 from . import _given, _stiffarm
-from ._progress import ProgressLike, told
+from ._progress import ProgressLike, reporting
 from ._stiffarm import Robot, StiffarmError
 from ._whole import written_whole
 
@@ -85,7 +85,7 @@ def answered(
     """The answer, written to files as well."""
     files = _files(output)
     wanted = Wanted([str(file) for file in files], [str(file) for file in files], advice, points)
-    with told(doing, progress) as tell:
+    with reporting(doing, progress) as tell:
         reply = _stiffarm.answered(asked, wanted, tell)
     for file, text in zip(files, reply["files"]):
         written(file, text)

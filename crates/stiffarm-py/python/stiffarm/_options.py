@@ -119,8 +119,8 @@ def takes(verb: str, options: type) -> Callable[[F], F]:
         last = [one for one in own if one.name == "progress"]
         first = [one for one in own if one.name != "progress"]
         function.__signature__ = signature.replace(parameters=[*first, *keywords, *last])  # type: ignore[attr-defined]
-        told = "".join(f"{row.keyword} : {types[row.keyword]}\n{_wrapped(row.help)}\n" for row in rows)
-        function.__doc__ = (function.__doc__ or "").replace("{options}\n", textwrap.indent(told, "    ").lstrip())
+        described = "".join(f"{row.keyword} : {types[row.keyword]}\n{_wrapped(row.help)}\n" for row in rows)
+        function.__doc__ = (function.__doc__ or "").replace("{options}\n", textwrap.indent(described, "    ").lstrip())
         return function
 
     return give

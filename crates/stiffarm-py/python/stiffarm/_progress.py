@@ -1,4 +1,4 @@
-"""How far a long call is: told to a callable, or on a line of a terminal."""
+"""How far a long call is: given to a callable, or written on a line of a terminal."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from typing import Optional, Union
 from ._stiffarm import StiffarmError
 
 #: Called with how many parts are done, and of how many, or None where nobody knows.
-Told = Callable[[int, Optional[int]], object]
-#: None, True for a line on a terminal, or what is to be told.
-ProgressLike = Union[bool, Told, None]
+Callback = Callable[[int, Optional[int]], object]
+#: None, True for a line on a terminal, or a callable.
+ProgressLike = Union[bool, Callback, None]
 
 
 def bar(done: int, total: int) -> str:
@@ -22,8 +22,8 @@ def bar(done: int, total: int) -> str:
 
 
 @contextlib.contextmanager
-def told(doing: str, progress: ProgressLike) -> Iterator[Told | None]:
-    """What is to be told while a call runs; a line is wiped when it ends."""
+def reporting(doing: str, progress: ProgressLike) -> Iterator[Callback | None]:
+    """What takes the progress while a call runs; a line is wiped when it ends."""
     if progress is None or progress is False:
         yield None
     elif progress is True:

@@ -36,7 +36,7 @@ from ._answers import (
 )
 from ._given import RobotLike
 from ._asked import OutputLike, Question, answered, placed, question, written
-from ._progress import ProgressLike, told
+from ._progress import ProgressLike, reporting
 from ._stiffarm import Robot, StiffarmError
 from .types import (
     CalibrateOptions,
@@ -151,7 +151,7 @@ def compliance(
     if "force_n" in asked:
         raise StiffarmError("force_n is for one posture; of many, full=True gives the matrices")
     robot = _given.robot(robot)
-    with told("compliances", progress) as tell:
+    with reporting("compliances", progress) as tell:
         data: dict[str, object] = {"robot": robot.name, "worst_um_per_n": _stiffarm.worst(robot, joints, asked, tell)}
         if full:
             data["compliance_um_per_n"] = _stiffarm.matrices(robot, joints, asked, tell)
@@ -751,7 +751,7 @@ def paper(folder: str | os.PathLike[str], *, progress: ProgressLike = None) -> P
     except OSError as error:
         raise StiffarmError(f"cannot make {where}: {error.strerror or error}") from None
     arms, texts, figures = _stiffarm.paper()
-    with told("drawing", progress) as tell:
+    with reporting("drawing", progress) as tell:
         for done, (file, verb, given) in enumerate(figures, 1):
             answered(Question(verb, given, [], dict(arms)), "drawing", output=where / file)
             if tell is not None:
@@ -774,5 +774,5 @@ def validate(*, progress: ProgressLike = None) -> Ledger:
     Ledger
         A row for each number: whether both agree within the printed digits, and where not, why.
     """
-    with told("validating", progress) as tell:
+    with reporting("validating", progress) as tell:
         return Ledger(*_stiffarm.validate(tell))

@@ -296,8 +296,8 @@ def compliance(result: Compliance, *, ax: Axes | None = None) -> Axes:
     ax.set_xlabel(f"part of {worst:.3f} µm/N in the worst direction ({direction}) [µm/N]")
     angles = ", ".join(f"{angle:g}" for angle in result.joints_deg)
     tool = ", ".join(f"{length:.3f}" for length in result.tcp_m)
-    told = f"{result.robot}; {_stiffness([result.to_dict()])}\njoints as reported {angles} deg; tool point {tool} m"
-    ax.set_title(told, fontsize="medium", loc="left")
+    title = f"{result.robot}; {_stiffness([result.to_dict()])}\njoints as reported {angles} deg; tool point {tool} m"
+    ax.set_title(title, fontsize="medium", loc="left")
     return ax
 
 
@@ -356,8 +356,8 @@ def ranking(
     chosen = "" if len(rows) == len(result.rows) else f"; the first {len(rows)} of {len(result.rows)} robots"
     if ax is None:
         axes[0].figure.suptitle(title + chosen, fontsize="medium", x=0.01, ha="left")
-    told = "tick: proved lower bound; ~ and pale: estimated"
-    axes[-1].set_xlabel(told, fontsize="x-small", loc="right")
+    legend = "tick: proved lower bound; ~ and pale: estimated"
+    axes[-1].set_xlabel(legend, fontsize="x-small", loc="right")
     return axes[0] if len(axes) == 1 else np.asarray(axes, dtype=object)
 
 

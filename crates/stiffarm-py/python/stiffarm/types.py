@@ -2830,7 +2830,7 @@ class FedBackDict(TypedDict):
 
 
 class UncoveredSamples(TypedDict):
-    """Samples of a path of whose chatter nothing is told."""
+    """Samples of a path for which chatter is not assessed."""
 
     why: str
     """plunge, turn in place, force of the path (it gives no cut), or air."""

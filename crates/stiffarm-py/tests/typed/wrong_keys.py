@@ -52,6 +52,6 @@ wins.rows[0]["shares"]  # type: ignore[typeddict-item]
 wins.to_dict()["row"]  # type: ignore[typeddict-item]
 
 
-def told(row: types.RankingRow, cell: types.Placed) -> tuple[str, "float | None", int]:
+def right(row: types.RankingRow, cell: types.Placed) -> tuple[str, "float | None", int]:
     """Of these nothing is wrong."""
     return row["robot"], cell["deflection_mm"], placed.to_dict()["schema"]["version"]

@@ -70,7 +70,7 @@ impl Seen {
     fn python(&self, named: &str) -> String {
         let has = |kind: &&str| self.plain.contains(kind);
         let plain = ["str", "bool", "int", "float"].into_iter().filter(has);
-        // What is told as 1 in one answer and as 0.5 in another is a number.
+        // What is 1 in one answer and 0.5 in another is a number.
         let plain = plain.filter(|kind| *kind != "int" || !has(&"float")).map(str::to_owned);
         let object = self.fields.as_ref().map(|_| named.to_owned());
         let list = self.items.as_ref().map(|items| format!("list[{}]", items.python(named)));

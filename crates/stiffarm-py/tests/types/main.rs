@@ -240,7 +240,7 @@ fn write_swings(text: &mut String) {
     class(text, ("ModesOverZoneDict", "TypedDict"), "`stiffarm.ModesOverZone.to_dict`.", &over, &within);
 }
 
-/// What is told of processes and paths.
+/// What is answered of processes and paths.
 fn write_paths(text: &mut String) {
     let with_schema = [("schema", "Schema")];
     let forces = Fields::of(&samples::cutting_forces());
@@ -257,7 +257,7 @@ fn write_paths(text: &mut String) {
     class(text, ("PathContact", "TypedDict"), about, milled.under("contacts"), &[]);
     let about = "What becomes of an error as the cut changes by it.";
     class(text, ("FedBackDict", "TypedDict"), about, milled.under("fed_back"), &[]);
-    let about = "Samples of a path of whose chatter nothing is told.";
+    let about = "Samples of a path for which chatter is not assessed.";
     class(text, ("UncoveredSamples", "TypedDict"), about, milled.under("chatter").under("not_covered"), &[]);
     let (about, within) = ("Whether the cuts of a path swing with the arm.", [("not_covered", "UncoveredSamples")]);
     class(text, ("PathChatter", "TypedDict"), about, milled.under("chatter"), &within);

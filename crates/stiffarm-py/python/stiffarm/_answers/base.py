@@ -57,8 +57,8 @@ class Answer(Generic[D]):
     def to_dict(self) -> D:
         """The JSON of the program, as `json.loads` reads it."""
         plain: Any = {key: _plain(value) for key, value in self._data.items()}
-        told: D = plain
-        return told
+        fields: D = plain
+        return fields
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other) or not isinstance(other, Answer):

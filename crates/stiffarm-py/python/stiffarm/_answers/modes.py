@@ -82,7 +82,7 @@ class ModesOverZone(Table[ModesOverZoneDict]):
     tool_inertia_kg_m2: list[float] | None
     #: Bodies of which the robot file has no mass.
     masses_left_out: list[str]
-    #: Nowhere in the zone the first frequency is lower: proved for the stiffness that is told; None where the proof did not end.
+    #: Nowhere in the zone the first frequency is lower: proved for the stiffness that is stated; None where the proof did not end.
     first_at_least_hz: float | None
     #: 5th percentile over draws of the drive stiffness: drawn, not proved.
     first_at_least_hz_p05: float | None

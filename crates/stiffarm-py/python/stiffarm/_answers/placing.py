@@ -56,11 +56,11 @@ class Placement(Table[PlacementDict]):
     component: str
     #: What the maker sells the robot for; None where it is not known.
     payload_kg: float | None
-    #: None where it was not told.
+    #: None where it was not given.
     tool_mass_kg: float | None
     #: Tool and force weigh more than the payload; None where one of them is not known.
     overloaded: bool | None
-    #: About axes 4, 5 and 6 at worst, N m; None where nothing is to be told of it.
+    #: About axes 4, 5 and 6 at worst, N m; None where there is nothing to report of it.
     wrist_moment_nm: list[float] | None
     wrist_limit_nm: list[float] | None
     #: ``"allowed by the maker"`` or ``"torque limits of the drives"``.

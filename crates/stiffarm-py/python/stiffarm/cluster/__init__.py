@@ -225,7 +225,7 @@ def _checked(
     chunk_rows: int | None,
 ) -> Question:
     """Refuses what would be wrong in every row."""
-    who = _told_apart(robots)
+    who = _distinguished(robots)
     # Tasks of one zone are one task, under the first of its names.
     wanted = _stiffarm.distinct(_given.tasks(tasks))
     if not who or not wanted or not forces_n:
@@ -264,11 +264,11 @@ def _drawn(
     """Robots with the drives that are asked for, and the factors on their compliances."""
     is_count = isinstance(scenarios, (int, np.integer))
     count = _given.whole("scenarios", scenarios, 1, 10**6) if is_count else 0
-    told: list[dict[str, str | None]] = []
+    robots: list[dict[str, str | None]] = []
     factors: list[Array] = []
     for robot in who:
         if robot["toml"] is None:
-            told.append(robot)
+            robots.append(robot)
             factors.append(np.full((count, 6), np.nan))
             continue
         try:
@@ -277,17 +277,17 @@ def _drawn(
                 raise StiffarmError(
                     f"the drive stiffness of {robot['robot']} has no stated uncertainty; stiffness='prior' gives one by its size"
                 )
-            told.append({**robot, "toml": equipped.to_toml()})
+            robots.append({**robot, "toml": equipped.to_toml()})
         except StiffarmError as error:
-            told.append({**robot, "toml": None, "error": str(error)})
+            robots.append({**robot, "toml": None, "error": str(error)})
             drawn = None
         factors.append(np.full((count, 6), np.nan) if drawn is None else drawn)
-    if all(robot["toml"] is None for robot in told):
-        raise StiffarmError(f"scenarios: {next(robot['error'] for robot in told)}")
-    return told, np.stack(factors, axis=1) if is_count else _given.numbers("scenarios", scenarios)
+    if all(robot["toml"] is None for robot in robots):
+        raise StiffarmError(f"scenarios: {next(robot['error'] for robot in robots)}")
+    return robots, np.stack(factors, axis=1) if is_count else _given.numbers("scenarios", scenarios)
 
 
-def _told_apart(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str | None]]:
+def _distinguished(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str | None]]:
     """Robots as plain text, each under a name of its own; a file that cannot be read keeps its place, with the reason."""
     found: dict[Robot | tuple[str, str], None] = {}
     for each in _given.each_robot(robots):
@@ -299,7 +299,7 @@ def _told_apart(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str |
                 if isinstance(one, Robot) or not Path(one).is_file():
                     raise
                 found[os.fspath(one), str(error)] = None
-    told: list[dict[str, str | None]] = []
+    named: list[dict[str, str | None]] = []
     names: set[str] = set()
     for robot in found:
         if isinstance(robot, Robot):
@@ -308,9 +308,9 @@ def _told_apart(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str |
         else:
             name, who = robot[0], {"vendor": None, "status": None, "toml": None, "error": robot[1]}
         free = itertools.chain([name], (f"{name} #{number}" for number in itertools.count(2)))
-        told.append({"robot": next(one for one in free if one not in names), **who})
-        names.add(str(told[-1]["robot"]))
-    return told
+        named.append({"robot": next(one for one in free if one not in names), **who})
+        names.add(str(named[-1]["robot"]))
+    return named
 
 
 def _files(robot: RobotLike) -> list[RobotLike]:

@@ -295,7 +295,7 @@ class Sweep:
                     group.append(row)
                 group.sort(key=_frequency)
                 rows += group
-                summary += _told(group, task, force_n, of, self._question.options.get("tolerance_mm"))
+                summary += _sentences(group, task, force_n, of, self._question.options.get("tolerance_mm"))
         return Wins({"rows": rows, "summary": summary})
 
     def order(self) -> Order:
@@ -310,26 +310,26 @@ class Sweep:
         values = values[0, :, 0]
         errors = self.to_arrow(["error"])["error"].to_pylist()
         labels, who = self._question.labels, self._question.robots
-        told = [[float(v) if np.isfinite(v) else None for v in values[:, r]] for r in range(len(who))]
+        deflections = [[float(v) if np.isfinite(v) else None for v in values[:, r]] for r in range(len(who))]
         names = [(robot["vendor"] or "", robot["robot"] or "", robot["status"] == "estimated") for robot in who]
         rows: list[dict[str, Any]] = []
-        for r, rank, tied, mean_ratio in _stiffarm.order(names, self._proved(told)):
+        for r, rank, tied, mean_ratio in _stiffarm.order(names, self._proved(deflections)):
             row: dict[str, Any] = {"rank": rank, "rank_tied": tied, **_who(who[r])}
-            row["feasible_tasks"] = sum(value is not None for value in told[r])
+            row["feasible_tasks"] = sum(value is not None for value in deflections[r])
             row["mean_ratio"] = mean_ratio
-            row.update(zip(labels, told[r]))
+            row.update(zip(labels, deflections[r]))
             row["error"] = next((error for error in errors[r :: len(who)] if error), None)
             rows.append(row)
         model = self._question.options["model"]
         return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})
 
-    def _proved(self, told: list[list[float | None]]) -> list[list[tuple[float, float] | None]]:
+    def _proved(self, deflections: list[list[float | None]]) -> list[list[tuple[float, float] | None]]:
         """Lower bound and value [mm] of every robot and task, of one scenario and one force."""
         bounds = np.asarray(self.to_arrow(["lower_bound_mm"])["lower_bound_mm"].to_numpy(zero_copy_only=False), dtype=float)
         bounds = bounds.reshape(self.shape)[0, :, 0]
         return [
             [None if value is None else (float(bounds[task, r]), value) for task, value in enumerate(row)]
-            for r, row in enumerate(told)
+            for r, row in enumerate(deflections)
         ]
 
     def plot(
@@ -404,24 +404,24 @@ def _shares(values: Array, may: Flags) -> list[float]:
     return shares
 
 
-def _told(group: list[WinsRow], task: str, force_n: float, of: int, tolerance_mm: str | None) -> list[str]:
+def _sentences(group: list[WinsRow], task: str, force_n: float, of: int, tolerance_mm: str | None) -> list[str]:
     """The winner of a task in words; an estimated robot is named as such, and takes no win."""
     name = f"{task} under {force_n:g} N"
     winner = max((row for row in group if row["share"]), key=lambda row: row["share"] or 0.0, default=None)
     if winner is None:
-        told = [f"{name}: no robot whose lengths are known can do it in any of {of} scenarios."]
+        sentences = [f"{name}: no robot whose lengths are known can do it in any of {of} scenarios."]
     else:
-        told = [
+        sentences = [
             f"{name}: {_name(winner)} is the stiffest in {winner['share']:.0%} of {of} scenarios "
             f"(95 % confidence {winner['share_low']:.0%} to {winner['share_high']:.0%})."
         ]
         if tolerance_mm is not None and winner["held_share"] is not None:
-            told.append(
+            sentences.append(
                 f"{name}: it holds {float(tolerance_mm):g} mm in {winner['held_share']:.0%} of them "
                 f"(95 % confidence {winner['held_share_low']:.0%} to {winner['held_share_high']:.0%})."
             )
     rivals = [row for row in group if row["estimated"] and row["share_with_estimated"]]
     if rivals:
         words = ", ".join(f"{_name(row)} in {row['share_with_estimated']:.0%}" for row in rivals)
-        told.append(f"By estimated numbers would be stiffer: {words}; find the data sheets before you decide.")
-    return told
+        sentences.append(f"By estimated numbers would be stiffer: {words}; find the data sheets before you decide.")
+    return sentences

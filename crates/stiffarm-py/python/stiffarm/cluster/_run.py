@@ -50,7 +50,7 @@ def run(
         missing = [chunk for chunk in range(question.chunks) if part_name(chunk, question.fingerprint) not in sums]
         if not missing:
             return
-        with _connected(client, workers, timeout_s) as connected, _told(question, len(missing), progress) as tell:
+        with _connected(client, workers, timeout_s) as connected, _reporting(question, len(missing), progress) as tell:
             if not begun:
                 sums.update(write_question(folder, question))
 
@@ -95,7 +95,7 @@ def _held(folder: Path) -> Iterator[None]:
 def _whole(folder: Path, question: Question) -> dict[str, str]:
     """The digests of what stands in a begun folder as it was written; refuses another question.
 
-    What was changed since is told and left out, to be computed again.
+    What was changed since is reported and left out, to be computed again.
     """
     held = read_question(folder)
     refuse_another_maker(folder, held)
@@ -225,7 +225,7 @@ _KEPT = "finished parts are kept: ask again with the same folder"
 
 
 @contextlib.contextmanager
-def _told(question: Question, chunks: int, progress: bool | None) -> Iterator[Any]:
+def _reporting(question: Question, chunks: int, progress: bool | None) -> Iterator[Any]:
     """A line on a terminal that says how far it is."""
     start, done, rows, errors = time.monotonic(), 0, 0, 0
     shown = sys.stderr.isatty() if progress is None else progress

@@ -4,7 +4,7 @@ import { button, el, say } from "./dom.js";
 
 /** @typedef {{value: string, means: string, rests_on: string, rows: number[]}} Lead the line that decides, and the rows that say no more */
 /** @typedef {{headings: string[], rows: string[][], lead?: Lead | null}} Sheet */
-/** @typedef {{tables: Sheet[], sentences: string[][]}} Told sentences: one list before the first table and one behind every table */
+/** @typedef {{tables: Sheet[], sentences: string[][]}} AnswerText sentences: one list before the first table and one behind every table */
 
 /** Fails are marked, and nothing else is red. @param {string} text */
 function marked(text) {
