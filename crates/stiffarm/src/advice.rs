@@ -137,11 +137,11 @@ pub fn advise_best(
         Ok((at, task, Some(advice)))
     };
     let found = parallel::try_each(&pairs, one)?;
-    let mut told = vec![vec![None; ranking.tasks.len()]; ranking.rows.len()];
+    let mut advised = vec![vec![None; ranking.tasks.len()]; ranking.rows.len()];
     for (at, task, advice) in found {
-        told[at][task] = advice;
+        advised[at][task] = advice;
     }
-    Ok(told)
+    Ok(advised)
 }
 
 /// The stiffness of each drive, N m/rad, so many times what it has.

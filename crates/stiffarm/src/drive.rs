@@ -151,7 +151,7 @@ pub struct Identified {
 }
 
 impl Identified {
-    /// What was not explained as a share of what moved; `None` where it is not told how far that was.
+    /// What was not explained as a share of what moved; `None` where it is not known how far that was.
     pub fn residual_share(&self) -> Option<f64> {
         self.moved.map(|moved| self.missed() / moved)
     }
@@ -159,7 +159,7 @@ impl Identified {
     /// Standard deviation of each of so many coordinates of what the model misses of a displacement of this length, m.
     ///
     /// What an elastic model misses grows with the load: the share that it missed of what was measured. Noise of the measurement counts with
-    /// it. Where it is not told how far that moved, what was missed is taken as it is.
+    /// it. Where it is not known how far that moved, what was missed is taken as it is.
     pub fn unexplained(&self, length: f64, coordinates: usize) -> f64 {
         self.residual_share().map_or(self.missed(), |share| share * length / (coordinates as f64).sqrt())
     }

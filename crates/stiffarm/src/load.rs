@@ -297,7 +297,7 @@ mod tests {
 
     /// On any compliance, whatever counts and however wide the cone.
     #[test]
-    fn half_a_turn_of_the_work_is_told_where_the_force_does_something_else() {
+    fn half_a_turn_of_the_work_is_reported_where_the_force_does_something_else() {
         let c = Matrix3::new(3.0, 0.4, -0.7, 0.4, 2.0, 0.5, -0.7, 0.5, 1.0);
         let half_turn = Matrix3::from_diagonal(&Vector3::new(-1.0, -1.0, 1.0));
         let cases: [([f64; 3], Option<f64>, f64); 6] = [

@@ -72,7 +72,7 @@ pub struct Mass {
 pub struct ToolWeight {
     /// kg.
     pub mass: f64,
-    /// Its centre in the flange frame, m, where that is told.
+    /// Its centre in the flange frame, m, where that is given.
     pub centre: Option<Vector3<f64>>,
 }
 

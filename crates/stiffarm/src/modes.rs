@@ -91,7 +91,7 @@ pub struct Swing {
     friction: Matrix6<f64>,
 }
 
-/// Why nothing is told of how an arm swings.
+/// Why it cannot be computed how an arm swings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ModesError {
     /// The posture or the tool.
@@ -314,9 +314,9 @@ pub fn left_out(robot: &Robot) -> Vec<&'static str> {
 }
 
 fn check_damping(damping: &Damping) -> Result<(), ModesError> {
-    let (sound, told) = match damping {
+    let (sound, text) = match damping {
         Damping::Ratio(zeta) => ((0.0..=1.0).contains(zeta), format!("ratio {zeta}")),
         Damping::OfDrives(each) => (each.iter().all(|d| 0.0 <= *d && d.is_finite()), format!("{each:?} N m s/rad")),
     };
-    if sound { Ok(()) } else { Err(ModesError::Damping(told)) }
+    if sound { Ok(()) } else { Err(ModesError::Damping(text)) }
 }

@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_error_in_order_is_told_and_all_before_it_are_asked_about() {
+    fn the_first_error_in_order_is_returned_and_all_before_it_are_asked_about() {
         let asked: Vec<AtomicUsize> = (0..5000).map(|_| AtomicUsize::new(0)).collect();
         let ask = |i: usize| {
             asked[i].fetch_add(1, Ordering::Relaxed);

@@ -186,9 +186,9 @@ pub fn factors(robot: &Robot, draws: usize) -> Option<Vec<[f64; 6]>> {
     let mut own = fastrand::Rng::with_seed(seed(&robot.full_name()));
     if let Some(identified) = &drives.identified {
         // Of a posterior the covariance tells of drives that the measurements did not show, too.
-        let told: [bool; 6] = std::array::from_fn(|i| identified.drives[i] || 0.0 < identified.covariance[(i, i)]);
+        let known: [bool; 6] = std::array::from_fn(|i| identified.drives[i] || 0.0 < identified.covariance[(i, i)]);
         let scatter = match with_prior(robot) {
-            _ if told.iter().all(|told| *told) => None,
+            _ if known.iter().all(|known| *known) => None,
             Ok(prior) => Some(prior.scatter()?.clone()),
             // Nothing says how far those may be off that were not identified.
             Err(NoPrior::Size(_) | NoPrior::Planar(_)) => return None,
@@ -207,7 +207,7 @@ pub fn factors(robot: &Robot, draws: usize) -> Option<Vec<[f64; 6]>> {
                 .map(|_| {
                     let seen = root * Vector6::from_fn(|_, _| normal(&mut own));
                     let others = scatter.as_ref().map_or([0.0; 6], |scatter| scatter.draw(&mut shared, &mut own));
-                    std::array::from_fn(|i| if told[i] { seen[i] } else { others[i] }.exp())
+                    std::array::from_fn(|i| if known[i] { seen[i] } else { others[i] }.exp())
                 })
                 .collect(),
         );
@@ -216,7 +216,7 @@ pub fn factors(robot: &Robot, draws: usize) -> Option<Vec<[f64; 6]>> {
     Some((0..draws).map(|_| scatter.draw(&mut shared, &mut own).map(f64::exp)).collect())
 }
 
-/// How a robot may differ from what is told of it, draw by draw.
+/// How a robot may differ from what is stated of it, draw by draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
     /// Factors on the compliances of its drives.
@@ -234,7 +234,7 @@ pub struct Unexplained {
 }
 
 impl Drawn {
-    /// As far as it is told of a robot; `None` where nothing says how far its drives may be wrong.
+    /// As far as it is known of a robot; `None` where nothing says how far its drives may be wrong.
     pub fn of(robot: &Robot, draws: usize) -> Option<Self> {
         Some(Self { factors: factors(robot, draws)?, unexplained: Unexplained::of(robot, draws) })
     }
@@ -297,7 +297,7 @@ impl Scatter {
 }
 
 /// By how much the compliances of two drives may be off together, in parts of them: means of `(f_i - 1) (f_j - 1)` over the factors f. Of drives that
-/// were identified by their covariance; of others by what scatters, and where nothing is told of that as drives of any robot do.
+/// were identified by their covariance; of others by what scatters, and where nothing is known of that as drives of any robot do.
 pub(crate) fn covariance(robot: &Robot) -> Matrix6<f64> {
     let (_, of_any) = of_size(1.0, 1.0);
     let ln = robot.scatter().unwrap_or(&of_any).covariance();
@@ -308,10 +308,10 @@ pub(crate) fn covariance(robot: &Robot) -> Matrix6<f64> {
     });
     if let Some(identified) = robot.identified() {
         let k = robot.drive_compliance().map(|k| k.unwrap_or(0.0));
-        let is_told = |i: usize| identified.drives[i] || 0.0 < identified.covariance[(i, i)];
+        let is_known = |i: usize| identified.drives[i] || 0.0 < identified.covariance[(i, i)];
         for i in 0..6 {
             for j in 0..6 {
-                covariance[(i, j)] = match (is_told(i), is_told(j)) {
+                covariance[(i, j)] = match (is_known(i), is_known(j)) {
                     (true, true) if 0.0 < k[i] * k[j] => identified.covariance[(i, j)] / (k[i] * k[j]),
                     (false, false) => covariance[(i, j)],
                     _ => 0.0,
@@ -376,7 +376,7 @@ mod tests {
     }
 
     #[test]
-    fn every_published_set_is_of_a_robot_of_the_catalogue_and_disagreement_is_told() {
+    fn every_published_set_is_of_a_robot_of_the_catalogue_and_disagreement_is_reported() {
         for set in PUBLISHED.iter() {
             assert_eq!(robot(&set.robot).name, set.robot);
             assert!(set.stiffness.iter().flatten().all(|k| (1e4..1e8).contains(k)), "{set:?}");

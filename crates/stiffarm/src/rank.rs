@@ -169,8 +169,8 @@ pub fn curves(
         let mut curve = Curve { points: Vec::new(), is_complete: false };
         let model = match kind.of(robot).map_err(PlaceError::from) {
             Err(error) if error.is_not_of_the_plane() => {
-                let told = scales.iter().try_for_each(|_| parts.one_more());
-                return told.map(|()| curve).map_err(|error| failed(robot, shape, error.into()));
+                let counted = scales.iter().try_for_each(|_| parts.one_more());
+                return counted.map(|()| curve).map_err(|error| failed(robot, shape, error.into()));
             }
             model => model.map_err(|error| failed(robot, shape, error))?,
         };

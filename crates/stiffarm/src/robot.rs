@@ -46,7 +46,7 @@ impl std::fmt::Display for Status {
     }
 }
 
-/// Where the compliance of the drives is from; told wherever a deflection is.
+/// Where the compliance of the drives is from; reported wherever a deflection is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StiffnessSource {
     /// Nobody has said it: the paper's 1 urad/(N m).

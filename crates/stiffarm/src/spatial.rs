@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Isometry3, Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
-/// Two eigenvalues nearly agree where they differ by a smaller part of themselves: no direction is told then.
+/// Two eigenvalues nearly agree where they differ by a smaller part of themselves: no direction is given then.
 const NEARLY_AGREE: f64 = 1e-4;
 
 /// Where a frame stands in another one.
@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn eigenvalues_and_their_directions_are_those_of_rotations() {
         let mut rng = fastrand::Rng::with_seed(7);
-        let (mut told, mut silent) = (0, 0);
+        let (mut given, mut silent) = (0, 0);
         for case in 0..4000 {
             let mut number = || 2.0 * rng.f64() - 1.0;
             let turn = nalgebra::Rotation3::from_euler_angles(3.0 * number(), 3.0 * number(), 3.0 * number());
@@ -106,13 +106,13 @@ mod tests {
                     silent += 1;
                     continue;
                 };
-                told += 1;
+                given += 1;
                 // As far off as the value, over how far it is from the others.
                 assert!((m * direction - direction * found).norm() < 1e-6 * 3e-6, "{case} {i}");
                 assert!((direction.norm() - 1.0).abs() < 1e-14);
             }
         }
-        assert!(2000 < told && 1000 < silent, "{told} {silent}");
+        assert!(2000 < given && 1000 < silent, "{given} {silent}");
         assert_eq!(eigenvalues(&Matrix3::zeros()), [0.0; 3]);
         assert_eq!(eigenvalues(&Matrix3::identity()), [1.0; 3]);
     }

@@ -49,7 +49,7 @@ pub struct Stock {
     squares: Squares,
 }
 
-/// A stock, or a path through it, of which nothing can be told.
+/// A stock, or a path through it, of which nothing can be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StockError {
     /// A block without a volume.
@@ -338,7 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn a_path_is_followed_and_a_rapid_that_cuts_is_told() {
+    fn a_path_is_followed_and_a_rapid_that_cuts_is_reported() {
         let program = "G21 G90\nG0 X-20 Y50 Z-2\nG1 X50 F600\nG0 X90\n";
         let mut moves = Vec::new();
         let mut each = |one: &Move| moves.push(*one);

@@ -16,13 +16,13 @@ pub(crate) const SINGULAR_SQUARE: f64 = 1e-18;
 pub(crate) const LIMIT: f64 = 1e-9;
 /// By how much a zone may stand outside its window, m: rounding.
 pub(crate) const WINDOW: f64 = 1e-9;
-/// What of a zone may lie below the base or behind the joint-1 axis before it is told, m: rounding.
+/// What of a zone may lie below the base or behind the joint-1 axis before it is reported, m: rounding.
 pub(crate) const OUTSIDE: f64 = 1e-6;
 /// Relative allowance for the rounding of a proved bound, which is computed without directed rounding.
 pub(crate) const BOUND: f64 = 1e-9;
 /// By how much a limit must be overstepped for certain before a proof calls a posture impossible; rad, or m of a window.
 pub(crate) const PROOF: f64 = 2e-9;
-/// By how much the least angle that is told of a zone may lie below the true one, rad.
+/// By how much the least angle that is reported of a zone may lie below the true one, rad.
 pub(crate) const FOLLOWED: f64 = 1e-6;
 /// The same, as part of the value.
 pub(crate) const FOLLOWED_PART: f64 = 1e-3;
@@ -37,8 +37,8 @@ const _: () = assert!(COSINE < LIMIT, "the registers' rounding is less than what
 const _: () = assert!(LIMIT < PROOF, "a posture that is granted is not proved impossible");
 const _: () = assert!(WINDOW < PROOF, "a zone that is granted its place is not proved to stand outside");
 const _: () = assert!(WINDOW < OUTSIDE, "a zone that keeps its window does not lie outside");
-const _: () = assert!(LIMIT < FOLLOWED, "rounding is finer than what is told of a zone");
+const _: () = assert!(LIMIT < FOLLOWED, "rounding is finer than what is reported of a zone");
 const _: () = assert!(SINGULAR < PROOF_CLEARANCE, "no singular posture lies where the proofs look");
 const _: () =
     assert!(PROOF_CLEARANCE < CLEARANCE - LIMIT, "a posture that is clear enough for a place is not proved away");
-const _: () = assert!(FOLLOWED < CLEARANCE, "what is told of a zone says whether it is clear of singular postures");
+const _: () = assert!(FOLLOWED < CLEARANCE, "what is reported of a zone says whether it is clear of singular postures");

@@ -103,7 +103,8 @@ fn coordinates(load: Load, all: usize) -> usize {
     }
 }
 
-/// Draws of a deflection that is told as `nominal` and has so many coordinates, m, with what the identification of a robot did not explain.
+/// Draws of a deflection that is reported as `nominal` and has so many coordinates, m, with what the identification of a robot did
+/// not explain.
 fn with_residual(robot: &Robot, mut draws: Vec<f64>, (nominal, coordinates): (f64, usize)) -> Vec<f64> {
     if let Some(unexplained) = Unexplained::of(robot, draws.len()) {
         for (draw, value) in draws.iter_mut().enumerate() {

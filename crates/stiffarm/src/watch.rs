@@ -1,6 +1,6 @@
-//! `Watch`: who waits for long work is told how far it is, and says whether it goes on.
+//! `Watch`: who waits for long work is informed how far it is, and says whether it goes on.
 //!
-//! Work that is stopped has no answer: every verb then ends with [`Stopped`], and nothing of what was begun is told.
+//! Work that is stopped has no answer: every verb then ends with [`Stopped`], and nothing of what was begun is reported.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -28,12 +28,12 @@ pub struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Nobody is told anything, and the work goes on to its end.
+    /// Nobody is informed, and the work goes on to its end.
     pub const fn nobody() -> Self {
         Self { waiting: None, is_part: false }
     }
 
-    /// Told and asked.
+    /// Informed and asked.
     pub fn of(waiting: &'a dyn Waiting) -> Self {
         Self { waiting: Some(waiting), is_part: false }
     }
@@ -103,7 +103,7 @@ mod tests {
 
     use super::*;
 
-    /// Wants so many parts, and keeps what it is told.
+    /// Wants so many parts, and keeps what is reported to it.
     struct Wants(usize, Mutex<Vec<(usize, Option<usize>)>>);
 
     impl Waiting for Wants {
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_counted_and_told_until_no_more_are_wanted() {
+    fn parts_are_counted_and_reported_until_no_more_are_wanted() {
         let waiting = Wants(3, Mutex::default());
         let watch = Watch::of(&waiting);
         let parts = watch.parts(Some(7));

@@ -199,7 +199,7 @@ fn the_shares_of_drives_are_what_softer_drives_change() {
 }
 
 #[test]
-fn where_it_holds_the_reserve_is_told_and_no_zone_is_sought() {
+fn where_it_holds_the_reserve_is_reported_and_no_zone_is_sought() {
     let case = Case::planar("KR 210 R2700 extra", "B:0.5", 3e-3);
     assert!(case.advice.zone.is_none());
     let factor = case.at().force_factor.unwrap();
@@ -209,7 +209,7 @@ fn where_it_holds_the_reserve_is_told_and_no_zone_is_sought() {
 }
 
 #[test]
-fn a_zone_that_has_no_place_is_told_the_largest_that_passes_and_one_that_never_does_that_none_does() {
+fn without_a_place_the_largest_zone_that_passes_is_reported_or_that_none_does() {
     let large = Case::planar("KR 210 R2700 extra", "A:4", 3e-3);
     assert!(large.placed.feasible().is_none() && large.advice.at_place.is_none());
     large.check_zone();
@@ -223,8 +223,8 @@ fn of_a_ranking_the_best_that_take_a_rank_are_advised() {
     let robots: Vec<Robot> = stiffarm::catalogue::paper_robots();
     let (tasks, options) = ([task("B:0.5"), task("A:0.3")], PlaceOptions::careful(Load::PAPER));
     let ranking = rank(&robots, &tasks, &ModelKind::Planar, &options, Watch::nobody()).unwrap();
-    let told = advise_best(&ranking, &options, 1.9e-3, Watch::nobody()).unwrap();
-    let advised: Vec<bool> = told.iter().map(|row| row.iter().all(Option::is_some)).collect();
+    let answers = advise_best(&ranking, &options, 1.9e-3, Watch::nobody()).unwrap();
+    let advised: Vec<bool> = answers.iter().map(|row| row.iter().all(Option::is_some)).collect();
     let mut left = ADVISED;
     for (row, is_advised) in ranking.rows.iter().zip(advised) {
         let expected = row.rank.is_some() && 0 < left;
@@ -233,5 +233,5 @@ fn of_a_ranking_the_best_that_take_a_rank_are_advised() {
     }
     let at = ranking.rows.iter().position(|row| row.rank.is_some()).unwrap();
     let alone = Case::of(Model::planar(&ranking.rows[at].robot).unwrap(), tasks[1].clone(), &options, 1.9e-3);
-    assert_eq!(told[at][1], Some(alone.advice));
+    assert_eq!(answers[at][1], Some(alone.advice));
 }

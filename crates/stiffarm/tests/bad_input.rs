@@ -80,9 +80,9 @@ fn refused(text: &str) -> Faults {
     let Err(faults) = read(text, "robots/mine.toml") else { panic!("accepted:\n{}", &text[..text.len().min(2000)]) };
     assert!(!faults.faults.is_empty(), "refused without a reason");
     assert!(faults.faults.is_sorted_by_key(|fault| fault.line), "{faults}");
-    // The first twenty are told, and the others counted on one line more.
-    let told = faults.to_string().lines().filter(|line| line.starts_with("robots/mine.toml:")).count();
-    assert_eq!(told, faults.faults.len().min(21));
+    // The first twenty are printed, and the others counted on one line more.
+    let printed = faults.to_string().lines().filter(|line| line.starts_with("robots/mine.toml:")).count();
+    assert_eq!(printed, faults.faults.len().min(21));
     faults
 }
 

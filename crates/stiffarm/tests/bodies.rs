@@ -165,13 +165,13 @@ fn bodies_that_cannot_be_read_are_refused_with_the_link_and_what_was_expected() 
         ("<collision><geometry><box size=\"1 x 1\"/></geometry></collision>".into(), Ok(block()), "box size '1 x 1'"),
         ("<collision><geometry><sphere/></geometry></collision>".into(), Ok(block()), "sphere radius is missing"),
     ] {
-        let told = of(&body, bytes);
-        assert!(told.contains(words) && told.starts_with("arm.urdf: link "), "{body}: {told}");
+        let message = of(&body, bytes);
+        assert!(message.contains(words) && message.starts_with("arm.urdf: link "), "{body}: {message}");
     }
     // An arm of which a link has none is not enclosed.
     let bare: Vec<_> = usual().into_iter().filter(|(link, _)| *link != "link_4").collect();
-    let told = imported(&with(&bare)).unwrap_err().to_string();
-    assert!(told.contains("link 4 of the arm: has no collision body"), "{told}");
+    let message = imported(&with(&bare)).unwrap_err().to_string();
+    assert!(message.contains("link 4 of the arm: has no collision body"), "{message}");
     // Without a body anywhere nothing is.
     let none = imported(EXAMPLE).unwrap_err().to_string();
     assert!(none.contains("0.0 mm wide"), "{none}");
@@ -189,7 +189,7 @@ fn enclosed() -> Robot {
 }
 
 #[test]
-fn a_robot_file_says_what_it_was_told_of_bodies() {
+fn a_robot_file_keeps_what_was_given_of_bodies() {
     // Decimals of a millimetre first: of any metres the last bit may be the one beside it.
     let robot = read(&write(&enclosed()), "mine.toml").unwrap();
     let text = write(&robot);
@@ -198,8 +198,8 @@ fn a_robot_file_says_what_it_was_told_of_bodies() {
         let Enclosing { links, not_compared } = robot.enclosing.clone().unwrap();
         (links.concat().iter().flat_map(|capsule| capsule.ends).collect::<Vec<_>>(), not_compared)
     };
-    let ((found, pairs), (told, expected)) = (ends(&robot), ends(&enclosed()));
-    assert!(found.iter().zip(&told).all(|(a, b)| (a - b).norm() < 1e-12) && found.len() == told.len());
+    let ((found, pairs), (given, expected)) = (ends(&robot), ends(&enclosed()));
+    assert!(found.iter().zip(&given).all(|(a, b)| (a - b).norm() < 1e-12) && found.len() == given.len());
     assert_eq!(pairs, expected);
     let mut bare = robot;
     bare.enclosing = None;
@@ -227,12 +227,12 @@ fn bodies_that_no_file_can_have_are_refused_with_key_value_and_what_was_expected
         ("[[0, 2], [1, 3]]", "[[2, 0]]", "[2, 0]; expected two links"),
         ("[[0, 2], [1, 3]]", "[[0, 9]]", "expected 0 to 6"),
     ] {
-        let told = said(from, to);
-        assert!(told.contains(words) && told.contains("mine.toml:"), "{to}: {told}");
+        let message = said(from, to);
+        assert!(message.contains(words) && message.contains("mine.toml:"), "{to}: {message}");
     }
     let without = text.replacen(&format!("\n[[body.link]]\n{first}\n"), "", 1);
-    let told = read(&without, "mine.toml").unwrap_err().to_string();
-    assert!(told.contains("capsules of link 0 are missing"), "{told}");
+    let message = read(&without, "mine.toml").unwrap_err().to_string();
+    assert!(message.contains("capsules of link 0 are missing"), "{message}");
     let bare = write(&find("KR 210 R2700 extra").unwrap().robot())
         + "\n[body]\nnot_compared = [[0, 2]]\nradius_mm = [400, 200, 150, 100]\n";
     assert!(read(&bare, "mine.toml").unwrap_err().to_string().contains("expected [[body.link]] beside it"));
@@ -253,7 +253,7 @@ fn the_capsules_of_published_arms_hold_the_boxes_about_their_meshes() {
             let ends = || capsules.iter().flat_map(|one| one.ends.map(|end| (end[axis], one.radius)));
             let low = ends().map(|(at, radius)| at - radius).fold(f64::INFINITY, f64::min);
             let high = ends().map(|(at, radius)| at + radius).fold(f64::NEG_INFINITY, f64::max);
-            // Those of KUKA arms are told to a millimetre.
+            // Those of KUKA arms are given to a millimetre.
             let (under, over) = (numbers[axis] - low, high - numbers[3 + axis]);
             assert!(-1e-3 < under && -1e-3 < over, "{name}, link {link}: {under} {over}");
             assert!(under < 0.36 && over < 0.36, "{name}, link {link}: {under} {over}");

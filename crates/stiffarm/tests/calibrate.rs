@@ -1,5 +1,5 @@
 //! Are the errors of an arm found that is known to have them, wrong rows named, tables that tell nothing refused, and does the
-//! interval hold that is told?
+//! interval hold that is reported?
 
 use std::fmt::Write;
 
@@ -110,7 +110,7 @@ fn an_arm_with_known_errors_is_calibrated_to_the_noise_and_elsewhere_too() {
     let elsewhere: Vec<[f64; 6]> = (0..100).map(|_| posture(&robot, &mut rng, 0.8)).collect();
     let off = off_elsewhere(&robot, &truth, &found, &elsewhere);
     assert!(off < 3.0 * noise, "{off}");
-    // In parts of what is hidden in the tracker's frame and in the points, frames cannot be told: their own differences can.
+    // In parts of what is hidden in the tracker's frame and in the points, frames cannot be determined: their own differences can.
     assert!(20.0 < taken.shown && taken.shown < 44.0, "{}", taken.shown);
 }
 
@@ -246,10 +246,10 @@ fn an_interval_for_another_day_holds_what_is_left_there() {
         let postures = later.rows.iter().map(|row| row.q).collect();
         let options = CalibrateOptions { work: Work::OtherDay(postures), ..CalibrateOptions::default() };
         let found = calibrate(&robot, &readings(&text), &options, Watch::nobody()).unwrap();
-        let told = found.at_work.unwrap();
+        let at_work = found.at_work.unwrap();
         let off = other_day::left(&robot, &found.errors, &later);
-        held += usize::from((told.interval[0]..=told.interval[1]).contains(&off));
-        left = [left[0] + off.powi(2), left[1] + told.expected.powi(2)];
+        held += usize::from((at_work.interval[0]..=at_work.interval[1]).contains(&off));
+        left = [left[0] + off.powi(2), left[1] + at_work.expected.powi(2)];
     }
     assert!(least_of(ARMS, 0.95) <= held as f64, "{held} of {ARMS}");
     // What is expected is no smaller, and not much larger: of computed arms nothing is left that no level explains.
@@ -318,8 +318,8 @@ fn the_table_of_the_guide_tells_where_its_arm_stands_in_postures_that_it_does_no
         (expected - stands).norm_squared() + 3.0 * noise.powi(2)
     };
     let off = (elsewhere.iter().map(square).sum::<f64>() / elsewhere.len() as f64).sqrt();
-    let told = found.at_work.unwrap();
-    assert!((told.interval[0]..=told.interval[1]).contains(&off), "{off} {told:?}");
+    let at_work = found.at_work.unwrap();
+    assert!((at_work.interval[0]..=at_work.interval[1]).contains(&off), "{off} {at_work:?}");
     assert!(10.0 * off < found.levels[0].rms && found.wrong_rows.is_empty(), "{off} {:?}", found.levels[0]);
 }
 
@@ -373,10 +373,10 @@ fn the_interval_at_the_work_holds_the_error_that_is_measured_there() {
         let off = off_elsewhere(&robot, &truth, &found, &work);
         let noise: f64 = (0..3 * work.len()).map(|_| (NOISE * normal(&mut rng)).powi(2)).sum();
         let measured = off.hypot((noise / work.len() as f64).sqrt());
-        let told = found.at_work.unwrap();
-        held += usize::from((told.interval[0]..=told.interval[1]).contains(&measured));
-        // The noise of the readings is in what is told, and not in where the arm stands.
-        below += usize::from(off < told.expected);
+        let at_work = found.at_work.unwrap();
+        held += usize::from((at_work.interval[0]..=at_work.interval[1]).contains(&measured));
+        // The noise of the readings is in what is reported, and not in where the arm stands.
+        below += usize::from(off < at_work.expected);
     }
     let least = least_of(tables, 0.95);
     assert!(least <= held as f64, "{held} of {tables}; expected {least:.1} or more");
@@ -429,7 +429,8 @@ fn weighed(rng: &mut fastrand::Rng) -> (Robot, Errors) {
     (robot, Errors { frames, drives: Some(drives), ..Errors::NONE })
 }
 
-/// The sag of an arm of known masses tells the compliance of the drives that hold it, within the interval that is told, and of the others nothing.
+/// The sag of an arm of known masses tells the compliance of the drives that hold it, within the interval that is reported, and of the
+/// others nothing.
 #[test]
 fn own_weight_tells_the_compliance_of_the_drives_that_hold_it() {
     const ARMS: u64 = 10;
@@ -516,12 +517,12 @@ fn the_table_of_an_arm_with_masses_tells_the_drives_with_which_another_program_l
         truth.lines().last().unwrap().split(',').nth(1).unwrap().split(' ').map(|k| k.parse().unwrap()).collect();
     let robot = find("KR 210 R2700-2").unwrap().robot();
     let found = asked(&robot, include_str!("../../../docs/examples/tracker_weighed.csv")).unwrap();
-    let told = found.drives.unwrap_or_else(|| panic!("by terms: {:?}", found.levels));
-    for (drive, (told, k)) in told.iter().zip(drives).enumerate() {
-        let [low, high] = told.interval().map(|k| k * 1e6);
-        assert!((low..=high).contains(&k), "drive {}: {k} of {told:?}", drive + 1);
+    let estimates = found.drives.unwrap_or_else(|| panic!("by terms: {:?}", found.levels));
+    for (drive, (estimate, k)) in estimates.iter().zip(drives).enumerate() {
+        let [low, high] = estimate.interval().map(|k| k * 1e6);
+        assert!((low..=high).contains(&k), "drive {}: {k} of {estimate:?}", drive + 1);
         if drive == 1 || drive == 2 {
-            assert!((told.posterior * 1e6 / k - 1.0).abs() < 0.1 && told.is_shown(), "{k} of {told:?}");
+            assert!((estimate.posterior * 1e6 / k - 1.0).abs() < 0.1 && estimate.is_shown(), "{k} of {estimate:?}");
         }
     }
     // The tracker reads to 0.02 mm.

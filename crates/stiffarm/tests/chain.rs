@@ -127,12 +127,12 @@ fn the_tool_point_of_a_calibrated_robot_is_the_true_one_and_its_compliance_nearl
             let errors = errors(&mut rng);
             let q = posture(&robot, &mut rng);
             let arm = TrueArm::with(&robot, &errors).unwrap();
-            let (drawn, told) =
+            let (drawn, corrected) =
                 [&robot, &calibrated(&robot, &errors, None)].map(|robot| compliance(robot, &q, &tool).unwrap()).into();
-            assert_eq!(told.tool, arm.flange(&q) * tool);
-            assert_eq!(told.compliance.0, drawn.compliance.0);
+            assert_eq!(corrected.tool, arm.flange(&q) * tool);
+            assert_eq!(corrected.compliance.0, drawn.compliance.0);
             let Arm::SixAxis { drives, .. } = &robot.arm else { panic!("six axes") };
-            let jacobian: Matrix6<f64> = arm.jacobian(&q, &told.tool.translation.vector) * drives.transmission.0;
+            let jacobian: Matrix6<f64> = arm.jacobian(&q, &corrected.tool.translation.vector) * drives.transmission.0;
             let truth =
                 Compliance(jacobian * Matrix6::from_diagonal(&drives.compliance.0.into()) * jacobian.transpose());
             largest = largest.max((truth.worst().0 / drawn.compliance.worst().0 - 1.0).abs());

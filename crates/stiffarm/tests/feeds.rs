@@ -1,4 +1,4 @@
-//! Is a place under a force with a known feed the best of all turns of the zone, and is it told at the turn at which it was computed?
+//! Is a place under a force with a known feed the best of all turns of the zone, and is it reported at the turn at which it was computed?
 
 use stiffarm::catalogue::find;
 use stiffarm::interval::Interval;
@@ -55,9 +55,9 @@ fn under_a_feed_no_turn_of_a_rectangle_is_better_than_is_proved_and_none_by_much
     assert!(1.05 * axes.deflection < half, "{} {half}", axes.deflection);
 }
 
-/// The field across the zone at the turn that is told, and the same place asked for by that turn.
+/// The field across the zone at the turn that is reported, and the same place asked for by that turn.
 #[test]
-fn the_turn_that_is_told_is_the_one_that_was_computed() {
+fn the_turn_that_is_reported_is_the_one_that_was_computed() {
     for orientation in [Orientation::Axes, Orientation::Free, Orientation::Fixed(-2.0), Orientation::Fixed(4.0)] {
         let found = best(orientation);
         let side = |i: i32| f64::from(i) / 20.0 - 1.0;

@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use stiffarm::toolpath::{Format, Move, MoveKind, ReadOptions, Steps, Survey, Understood, read};
 
-struct Told {
+struct Parsed {
     moves: Vec<Move>,
     survey: Survey,
     understood: Understood,
 }
 
-fn told(text: &str) -> Result<Told, String> {
+fn parse(text: &str) -> Result<Parsed, String> {
     let (mut moves, mut survey) = (Vec::new(), Survey::new(Steps::USUAL));
     let mut each = |one: &Move| {
         moves.push(*one);
@@ -19,23 +19,23 @@ fn told(text: &str) -> Result<Told, String> {
     };
     let understood = read(&mut text.as_bytes(), "p", Format::Apt, &ReadOptions::default(), &mut each, &mut |_| Ok(()))
         .map_err(|why| why.to_string())?;
-    Ok(Told { moves, survey, understood })
+    Ok(Parsed { moves, survey, understood })
 }
 
-fn is_read(text: &str) -> Told {
-    told(text).unwrap_or_else(|why| panic!("{why}\n{text}"))
+fn is_read(text: &str) -> Parsed {
+    parse(text).unwrap_or_else(|why| panic!("{why}\n{text}"))
 }
 
 fn is_refused(text: &str) -> String {
-    told(text).err().unwrap_or_else(|| panic!("it is read:\n{text}"))
+    parse(text).err().unwrap_or_else(|| panic!("it is read:\n{text}"))
 }
 
 fn close(a: f64, b: f64) {
     assert!((a - b).abs() <= 1e-9, "{a} is not {b}");
 }
 
-fn says(told: &[String], what: &str) {
-    assert!(told.iter().any(|one| one.contains(what)), "{what}: {told:?}");
+fn says(remarks: &[String], what: &str) {
+    assert!(remarks.iter().any(|one| one.contains(what)), "{what}: {remarks:?}");
 }
 
 /// The head of a file of SOLIDWORKS CAM with what posts add to it; 10 mm are fed.
@@ -45,11 +45,11 @@ const SOLIDWORKS: &str = "UNIT/MM\nPARTNO BRACKET 3\nSETUP/START,1\nINSERT/10MM 
                           FEDRAT/100,MMPM\nGOTO/0,0,0\nGOTO/3,4,0\n";
 
 #[test]
-fn words_of_tool_and_job_are_told_and_move_nothing() {
-    let told = is_read(&format!("{SOLIDWORKS}FINI\n"));
-    close(told.survey.feed_length, 0.01);
+fn words_of_tool_and_job_are_reported_and_move_nothing() {
+    let parsed = is_read(&format!("{SOLIDWORKS}FINI\n"));
+    close(parsed.survey.feed_length, 0.01);
     for what in ["PARTNO (line 2)", "SETUP (line 3)", "CSI_SET_.. (2 times, first in line 6)"] {
-        says(&told.understood.ignored, what);
+        says(&parsed.understood.ignored, what);
     }
     for (statement, says) in [
         ("TRACUT/1,0,0,5,0,1,0,0,0,0,1,0", "TRACUT: it shifts or turns the path"),
@@ -60,7 +60,7 @@ fn words_of_tool_and_job_are_told_and_move_nothing() {
         assert!(refused.starts_with(&format!("p:18: {says}")), "{refused}");
     }
     close(is_read(&format!("{SOLIDWORKS}TRACUT/NOMORE\nFINI\n")).survey.feed_length, 0.01);
-    // What follows the end is told.
+    // What follows the end is reported.
     let over = is_read(&format!("{SOLIDWORKS}FINI\n\n$$ a remark\nGOTO/9,9,9\nPARTNO/2\n"));
     close(over.survey.feed_length, 0.01);
     says(&over.understood.ignored, "lines behind FINI (2 times, first in line 21)");
@@ -70,11 +70,11 @@ fn words_of_tool_and_job_are_told_and_move_nothing() {
 #[test]
 fn a_further_setup_is_read_where_its_points_are_the_parts() {
     let second = "CSYS/0,0,1,7,0,1,0,0,-1,0,0,0\nRAPID/\nGOTO/20,0,0,1,0,0\nGOTO/10,0,0,1,0,0\nFINI\n";
-    let told = is_read(&format!("{SOLIDWORKS}{second}"));
-    close(told.survey.feed_length, 0.02);
-    let last = told.moves.last().unwrap();
+    let parsed = is_read(&format!("{SOLIDWORKS}{second}"));
+    close(parsed.survey.feed_length, 0.02);
+    let last = parsed.moves.last().unwrap();
     assert_eq!((last.to.tip * 1e3, last.to.axis), (Vector3::new(10.0, 0.0, 0.0), Vector3::x()));
-    says(&told.understood.assumed, "points are those of the part in every CSYS, as TRNTYP/WORLD says (line 18)");
+    says(&parsed.understood.assumed, "points are those of the part in every CSYS, as TRNTYP/WORLD says (line 18)");
     let upright = is_refused(&format!("{SOLIDWORKS}{}", second.replace("0,0,1,0,0\n", "0,0,0,0,1\n")));
     assert!(
         upright.starts_with("p:20: GOTO: its tool axis does not stand along z of the CSYS of line 18"),
@@ -97,8 +97,8 @@ fn a_short_arc_back_is_no_sign_of_the_other_sense() {
             -5.0 + 5.0 * c
         )
     };
-    let told = is_read(&arc(60.0));
-    assert!((told.survey.arc_length - 0.005 * PI / 3.0).abs() < 1e-9, "{}", told.survey.arc_length);
+    let parsed = is_read(&arc(60.0));
+    assert!((parsed.survey.arc_length - 0.005 * PI / 3.0).abs() < 1e-9, "{}", parsed.survey.arc_length);
     let refused = is_refused(&arc(120.0));
     assert!(refused.contains("it goes back against the move before it; say arc-sense"), "{refused}");
 }
@@ -120,17 +120,17 @@ fn feed_rates_per_turn_count_the_turns_at_their_move() {
 #[test]
 fn cycles_are_read_in_the_words_of_their_programs() {
     let bottoms = |text: &str| -> Vec<[f64; 3]> {
-        let told = is_read(text);
-        let down = told.moves.iter().filter(|one| one.kind == MoveKind::Feed && one.to.tip.z < one.from.tip.z - 0.01);
+        let parsed = is_read(text);
+        let down = parsed.moves.iter().filter(|one| one.kind == MoveKind::Feed && one.to.tip.z < one.from.tip.z - 0.01);
         down.map(|one| (one.to.tip * 1e3).map(f64::round).into()).collect()
     };
     // SOLIDWORKS CAM begins a cycle, and tells the depth as a positive number; NX as a level.
     let solidworks = "CYCLE/INIT\nCYCLE/DEEP2,FEDTO,20,RAPTO,2,MMPM,60,STEP,5,DWELL,0\nGOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\nGOTO/20,0,9\nFINI\n";
     assert_eq!(bottoms(&format!("{SOLIDWORKS}{solidworks}")), [[10.0, 0.0, -20.0], [20.0, 0.0, -20.0]]);
-    let told = is_read(&format!("{SOLIDWORKS}{solidworks}"));
-    says(&told.understood.assumed, "FEDTO is the depth below the point, as SOLIDWORKS CAM writes it (line 19)");
-    says(&told.understood.assumed, "deep drilling feeds down in one");
-    close(told.moves.iter().filter(|one| one.kind == MoveKind::Feed).nth(2).unwrap().feed.unwrap(), 1e-3);
+    let parsed = is_read(&format!("{SOLIDWORKS}{solidworks}"));
+    says(&parsed.understood.assumed, "FEDTO is the depth below the point, as SOLIDWORKS CAM writes it (line 19)");
+    says(&parsed.understood.assumed, "deep drilling feeds down in one");
+    close(parsed.moves.iter().filter(|one| one.kind == MoveKind::Feed).nth(2).unwrap().feed.unwrap(), 1e-3);
     let nx = "PAINT/PATH\nFEDRAT/MMPM,100\nGOTO/0,0,9\nCYCLE/DRILL,DEEP,STEP,5,RAPTO,3,FEDTO,-33,RTRCTO,AUTO,MMPM,250\nGOTO/10,0,0\nCYCLE/OFF\nEND-OF-PATH\n";
     assert_eq!(bottoms(nx), [[10.0, 0.0, -33.0]]);
     let begun = is_refused(&format!("{SOLIDWORKS}CYCLE/INIT\nGOTO/10,0,0\nFINI\n"));
@@ -140,10 +140,10 @@ fn cycles_are_read_in_the_words_of_their_programs() {
 /// `TLAXIS` holds for the points behind it; from home a move is no part of the path.
 #[test]
 fn axes_of_their_own_and_moves_home_are_followed() {
-    let told = is_read(
+    let parsed = is_read(
         "UNIT/MM\nFEDRAT/100,MMPM\nGOTO/0,0,0\nTLAXIS/0,0.6,0.8\nGOTO/10,0,0\nGOTO/20,0,0\nGOHOME\nGOTO/0,0,0\nFINI\n",
     );
-    assert!(told.moves.iter().all(|one| (one.to.axis - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-12));
-    assert_eq!((told.moves.len(), told.understood.apart), (2, 3));
-    says(&told.understood.assumed, "GOHOME leads the tool to the machine's home (line 7)");
+    assert!(parsed.moves.iter().all(|one| (one.to.axis - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-12));
+    assert_eq!((parsed.moves.len(), parsed.understood.apart), (2, 3));
+    says(&parsed.understood.assumed, "GOHOME leads the tool to the machine's home (line 7)");
 }

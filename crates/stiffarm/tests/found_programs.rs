@@ -4,14 +4,14 @@ use stiffarm::toolpath::{
     Format, IncrementalCycles, LengthUnit, Move, MoveKind, ReadOptions, Steps, Survey, Understood, read,
 };
 
-/// What is told of a text.
-struct Told {
+/// A text as it is read: its moves, their survey and what was understood.
+struct Parsed {
     moves: Vec<Move>,
     survey: Survey,
     understood: Understood,
 }
 
-fn told(text: &str, format: Format, options: &ReadOptions) -> Result<Told, String> {
+fn parse(text: &str, format: Format, options: &ReadOptions) -> Result<Parsed, String> {
     let (mut moves, mut survey) = (Vec::new(), Survey::new(Steps::USUAL));
     let mut each = |one: &Move| {
         moves.push(*one);
@@ -19,14 +19,14 @@ fn told(text: &str, format: Format, options: &ReadOptions) -> Result<Told, Strin
     };
     let understood =
         read(&mut text.as_bytes(), "p", format, options, &mut each, &mut |_| Ok(())).map_err(|why| why.to_string())?;
-    Ok(Told { moves, survey, understood })
+    Ok(Parsed { moves, survey, understood })
 }
 
-fn gcode(text: &str) -> Result<Told, String> {
-    told(text, Format::GCode, &ReadOptions::default())
+fn gcode(text: &str) -> Result<Parsed, String> {
+    parse(text, Format::GCode, &ReadOptions::default())
 }
 
-fn is_read(text: &str) -> Told {
+fn is_read(text: &str) -> Parsed {
     gcode(text).unwrap_or_else(|why| panic!("{why}\n{text}"))
 }
 
@@ -42,13 +42,13 @@ fn feed_mm(text: &str) -> f64 {
     is_read(text).survey.feed_length * 1e3
 }
 
-fn says(told: &[String], what: &str) {
-    assert!(told.iter().any(|one| one.contains(what)), "{what}: {told:?}");
+fn says(remarks: &[String], what: &str) {
+    assert!(remarks.iter().any(|one| one.contains(what)), "{what}: {remarks:?}");
 }
 
 /// In mm.
-fn ends(told: &Told, kind: MoveKind) -> Vec<[f64; 3]> {
-    let of_kind = told.moves.iter().filter(|one| one.kind == kind);
+fn ends(parsed: &Parsed, kind: MoveKind) -> Vec<[f64; 3]> {
+    let of_kind = parsed.moves.iter().filter(|one| one.kind == kind);
     of_kind.map(|one| (one.to.tip * 1e3).map(|x| (x * 1e6).round() / 1e6 + 0.0).into()).collect()
 }
 
@@ -62,9 +62,9 @@ fn a_carriage_return_ends_a_line_in_every_format() {
         let percent = lines("%\nG20\nG90\nG0 X0 Y0 Z1.\nG1 Z0. F10.\nG1 X1.\nM30\n%\n");
         close(feed_mm(&percent), 50.8);
         let apt = lines("UNIT/MM $$ of the part\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/3,4,0\nFINI\n");
-        close(told(&apt, Format::Apt, &ReadOptions::default()).unwrap().survey.feed_length, 5e-3);
+        close(parse(&apt, Format::Apt, &ReadOptions::default()).unwrap().survey.feed_length, 5e-3);
         let csv = lines("x_mm,y_mm,z_mm\n# a remark\n0,0,0\n3,4,0\n");
-        close(told(&csv, Format::Csv, &ReadOptions::default()).unwrap().survey.feed_length, 5e-3);
+        close(parse(&csv, Format::Csv, &ReadOptions::default()).unwrap().survey.feed_length, 5e-3);
     }
 }
 
@@ -97,17 +97,17 @@ fn f_keeps_the_unit_in_force_where_it_stands() {
     let behind = is_read("G20 G90\nG0 X0 Y0 Z0\nG1 X1 F10.\nM30\n");
     assert!(!behind.understood.assumed.concat().contains('F'), "{:?}", behind.understood.assumed);
     let asked = ReadOptions { unit: Some(LengthUnit::Inch), ..ReadOptions::default() };
-    let inches = told("F10.\nG21 G90\nG0 X0 Y0 Z0\nG1 X1\nM30\n", Format::GCode, &asked).unwrap();
+    let inches = parse("F10.\nG21 G90\nG0 X0 Y0 Z0\nG1 X1\nM30\n", Format::GCode, &asked).unwrap();
     close(inches.moves[0].feed.unwrap() * 60e3, 254.0);
 }
 
 #[test]
 fn a_unit_may_change_between_moves() {
-    let told = is_read("G21 G90 F100\nG0 X0 Y0 Z0\nG1 X25.4\nG20\nX2.\nX3. F10.\nG21 X0\nM30\n");
-    assert_eq!(ends(&told, MoveKind::Feed), [[25.4, 0.0, 0.0], [50.8, 0.0, 0.0], [76.2, 0.0, 0.0], [0.0; 3]]);
-    let feeds: Vec<f64> = told.moves.iter().map(|one| (one.feed.unwrap() * 60e3).round()).collect();
+    let parsed = is_read("G21 G90 F100\nG0 X0 Y0 Z0\nG1 X25.4\nG20\nX2.\nX3. F10.\nG21 X0\nM30\n");
+    assert_eq!(ends(&parsed, MoveKind::Feed), [[25.4, 0.0, 0.0], [50.8, 0.0, 0.0], [76.2, 0.0, 0.0], [0.0; 3]]);
+    let feeds: Vec<f64> = parsed.moves.iter().map(|one| (one.feed.unwrap() * 60e3).round()).collect();
     assert_eq!(feeds, [100.0, 100.0, 254.0, 254.0]);
-    says(&told.understood.assumed, "the unit changes from mm to inch: places stay where they are (line 4)");
+    says(&parsed.understood.assumed, "the unit changes from mm to inch: places stay where they are (line 4)");
 }
 
 /// 60 mm: the block waits and then moves, as `LinuxCNC` has it.
@@ -120,9 +120,9 @@ fn g4_drops_no_motion() {
     says(&both.understood.assumed, "a block with G4 P and a place waits, and then moves (line 4)");
     // The time by itself, in the words of several makers; a speed of it is none.
     for wait in ["G4 P1", "G4 X2.", "G4 U2.", "G4 F2.", "G4 S30", "G04 P500 F100"] {
-        let told = is_read(&program(wait));
+        let parsed = is_read(&program(wait));
         assert_eq!(
-            (told.survey.feed_moves, told.moves[1].feed.map(|feed| (feed * 60e3).round())),
+            (parsed.survey.feed_moves, parsed.moves[1].feed.map(|feed| (feed * 60e3).round())),
             (2, Some(100.0)),
             "{wait}"
         );
@@ -185,12 +185,12 @@ fn what_may_move_the_tool_is_refused_by_line_and_word() {
 /// `G92.1` takes G52 back, too, as Fanuc and `LinuxCNC` have it; by hand: at 1, then at 5 + 1, then at 2.
 #[test]
 fn g92_1_clears_every_shift() {
-    let told = is_read("G21 G90 F100\nG0 X0 Y0 Z0\nG1 X1\nG52 X5\nG1 X1\nG92.1\nG1 X2\nM30\n");
-    assert_eq!(ends(&told, MoveKind::Feed).iter().map(|end| end[0]).collect::<Vec<_>>(), [1.0, 6.0, 2.0]);
+    let parsed = is_read("G21 G90 F100\nG0 X0 Y0 Z0\nG1 X1\nG52 X5\nG1 X1\nG92.1\nG1 X2\nM30\n");
+    assert_eq!(ends(&parsed, MoveKind::Feed).iter().map(|end| end[0]).collect::<Vec<_>>(), [1.0, 6.0, 2.0]);
     // Named axes only, as Fanuc writes it; G92.3 brings back what G92.2 has suspended.
-    let told =
+    let parsed =
         is_read("G21 G90 F100\nG0 X0 Y0 Z0\nG92 X1 Y1\nG92.1 X0\nG1 X2 Y2\nG92.2\nG1 X3 Y3\nG92.3\nG1 Y5\nM30\n");
-    assert_eq!(ends(&told, MoveKind::Feed), [[2.0, 1.0, 0.0], [3.0, 3.0, 0.0], [3.0, 4.0, 0.0]]);
+    assert_eq!(ends(&parsed, MoveKind::Feed), [[2.0, 1.0, 0.0], [3.0, 3.0, 0.0], [3.0, 4.0, 0.0]]);
 }
 
 /// With L the second and third hole are as deep as the first, whether the tool goes back to R or to where it began.
@@ -199,8 +199,8 @@ fn repeats_of_an_incremental_cycle_are_equally_deep() {
     let nist = ReadOptions { incremental_cycles: Some(IncrementalCycles::Nist), ..ReadOptions::default() };
     for retract in ["G98", "G99"] {
         let text = format!("G21 G91 {retract} F100\nG0 X1 Y0 Z5\nG81 X1 Z-2 R-1 L3\nM2\n");
-        let told = told(&text, Format::GCode, &nist).unwrap();
-        assert_eq!(ends(&told, MoveKind::Feed), [[2.0, 0.0, 2.0], [3.0, 0.0, 2.0], [4.0, 0.0, 2.0]], "{retract}");
+        let parsed = parse(&text, Format::GCode, &nist).unwrap();
+        assert_eq!(ends(&parsed, MoveKind::Feed), [[2.0, 0.0, 2.0], [3.0, 0.0, 2.0], [4.0, 0.0, 2.0]], "{retract}");
     }
 }
 
@@ -246,8 +246,8 @@ fn openings_of_the_usual_posts_are_read() {
             "%\nN0010 G40 G17 G90 G71\nN0020 G91 G28 Z0.0\nN0030 T01 M06\nN0040 G00 G90 X0.0 Y0.0 S1000 M03\nN0050 G43 Z5. H01",
         ),
     ] {
-        let told = is_read(&format!("{head}\nG1 Z0. F100.\nX5.\nM30\n%\n"));
-        assert_eq!((told.survey.feed_moves, (told.survey.feed_length * 1e6).round()), (2, 10_000.0), "{post}");
+        let parsed = is_read(&format!("{head}\nG1 Z0. F100.\nX5.\nM30\n%\n"));
+        assert_eq!((parsed.survey.feed_moves, (parsed.survey.feed_length * 1e6).round()), (2, 10_000.0), "{post}");
     }
 }
 
@@ -256,13 +256,13 @@ fn g80_ends_a_cycle_and_what_was_in_force_before_goes_on() {
     // A motion in its block holds, whichever stands first.
     for both in ["G0 G80 Z50.", "G80 G0 Z50."] {
         let text = format!("G21 G90 F100\nG0 X0 Y0 Z5\nG81 X1 Y1 Z-1 R1\n{both}\nG1 X5\nM30\n");
-        let told = is_read(&text);
-        assert_eq!(ends(&told, MoveKind::Feed), [[1.0, 1.0, -1.0], [5.0, 1.0, 50.0]]);
-        assert!(!told.understood.assumed.concat().contains("G80"), "{:?}", told.understood.assumed);
+        let parsed = is_read(&text);
+        assert_eq!(ends(&parsed, MoveKind::Feed), [[1.0, 1.0, -1.0], [5.0, 1.0, 50.0]]);
+        assert!(!parsed.understood.assumed.concat().contains("G80"), "{:?}", parsed.understood.assumed);
     }
-    let told = is_read("G21 G90 F100\nG0 X0 Y0 Z5\nG81 X1 Y1 Z-1 R1\nG80\nX9\nG1 X10\nM30\n");
-    assert_eq!(ends(&told, MoveKind::Rapid).last(), Some(&[9.0, 1.0, 5.0]));
-    says(&told.understood.assumed, "behind G80 the motion before it goes on, G0 (line 5)");
+    let parsed = is_read("G21 G90 F100\nG0 X0 Y0 Z5\nG81 X1 Y1 Z-1 R1\nG80\nX9\nG1 X10\nM30\n");
+    assert_eq!(ends(&parsed, MoveKind::Rapid).last(), Some(&[9.0, 1.0, 5.0]));
+    says(&parsed.understood.assumed, "behind G80 the motion before it goes on, G0 (line 5)");
     let refused = is_refused("G21 G90 G80\nX9\nM30\n");
     assert!(refused.starts_with("p:2: X: no motion is in force"), "{refused}");
 }
@@ -272,14 +272,14 @@ fn g80_ends_a_cycle_and_what_was_in_force_before_goes_on() {
 fn a_parking_move_under_another_origin_is_the_machines() {
     let program =
         |park: &str| format!("G21 G90 G54\nG0 X0 Y0 Z5\nG1 Z0 F100\nX10\nG0 Z25.\nM5\nG91 G28 Z0.\n{park}\nM30\n");
-    let told = is_read(&program("G90 G58 X12. Y20."));
-    close(told.survey.feed_length, 0.015);
-    assert_eq!(told.understood.apart, 3);
+    let parsed = is_read(&program("G90 G58 X12. Y20."));
+    close(parsed.survey.feed_length, 0.015);
+    assert_eq!(parsed.understood.apart, 3);
     says(
-        &told.understood.assumed,
+        &parsed.understood.assumed,
         "rapid moves under G58 are the machine's: where its origin lies is not in the file (line 8)",
     );
-    says(&told.understood.assumed, "the part frame is that of G54 (line 1)");
+    says(&parsed.understood.assumed, "the part frame is that of G54 (line 1)");
     let refused = is_refused(&program("G90 G1 G58 X12. Y20."));
     assert!(refused.starts_with("p:8: G58: another origin than that of G54 in line 1"), "{refused}");
     // Back under the first origin, what was said in it holds where it was named again.
@@ -288,8 +288,8 @@ fn a_parking_move_under_another_origin_is_the_machines() {
     let refused = is_refused(&program("G90 G0 G58 X12.\nG54 Z5.\nG1 Z0"));
     assert!(refused.starts_with("p:10: G1: X is where the machine has it since line 8"), "{refused}");
     // Where nothing has moved yet, the part's origin is the last one that was named.
-    let told = is_read("G21 G90 G54\nG59\nG0 X0 Y0 Z5\nG1 Z0 F100\nM30\n");
-    says(&told.understood.assumed, "the part frame is that of G59 (line 2)");
+    let parsed = is_read("G21 G90 G54\nG59\nG0 X0 Y0 Z5\nG1 Z0 F100\nM30\n");
+    says(&parsed.understood.assumed, "the part frame is that of G59 (line 2)");
 }
 
 /// Fusion's post for Haas goes home in Z, and feeds in X and Y to the next part.
@@ -298,11 +298,11 @@ fn feed_moves_at_the_machines_height_are_in_the_air() {
     let program = |park: &str| {
         format!("G21 G90 G54\nG0 X0 Y0 Z5\nG1 Z0 F100\nG53 G0 Z0.\n{park}\nG0 G43 Z0.6 H10\nG1 Z0 F100.\nM30\n")
     };
-    let told = is_read(&program("G1 X7.1884 Y0.159 F650."));
-    assert_eq!(ends(&told, MoveKind::Feed), [[0.0; 3], [7.1884, 0.159, 0.0]]);
-    assert_eq!(told.understood.apart, 4);
+    let parsed = is_read(&program("G1 X7.1884 Y0.159 F650."));
+    assert_eq!(ends(&parsed, MoveKind::Feed), [[0.0; 3], [7.1884, 0.159, 0.0]]);
+    assert_eq!(parsed.understood.apart, 4);
     says(
-        &told.understood.assumed,
+        &parsed.understood.assumed,
         "feed moves along X and Y while Z is the machine's are in the air, no part of the path (line 5)",
     );
     for down in ["G1 X7. Z0.5 F650.", "G2 X7. Y0 I3.5 J0 F650.", "G1 Z0.5 F650."] {
@@ -314,9 +314,9 @@ fn feed_moves_at_the_machines_height_are_in_the_air() {
 /// 0.001 in of 2 in: half a thousandth of the radius, as `LinuxCNC` lets pass.
 #[test]
 fn arcs_close_as_linuxcnc_has_it() {
-    let told = is_read("G20 G90 G17\nG0 X0 Y0 Z0\nG2 Y4.001 I0 J2. F10\nM30\n");
-    assert!((told.survey.arc_length / 25.4e-3 - std::f64::consts::PI * 2.0005).abs() < 1e-6);
-    close(told.understood.arc_miss, 0.001 * 25.4e-3);
+    let parsed = is_read("G20 G90 G17\nG0 X0 Y0 Z0\nG2 Y4.001 I0 J2. F10\nM30\n");
+    assert!((parsed.survey.arc_length / 25.4e-3 - std::f64::consts::PI * 2.0005).abs() < 1e-6);
+    close(parsed.understood.arc_miss, 0.001 * 25.4e-3);
     let refused = is_refused("G20 G90 G17\nG0 X0 Y0 Z0\nG2 Y4.005 I0 J2. F10\nM30\n");
     assert!(refused.contains("the arc does not close"), "{refused}");
     // A file of three decimals has 0.0127 mm, one of two 0.02 mm.
@@ -329,20 +329,24 @@ fn arcs_close_as_linuxcnc_has_it() {
 fn subprograms_of_the_file_are_run_where_they_are_called() {
     let main = "O1\nG21 G90 F100\nG0 X0 Y0 Z0\nM98 P2 L3\nG90 G1 Z5\nM30\n";
     let subs = "O2\nG91 G1 X1\nM98 P0003\nM99\nO3 (up)\nG1 Y1\nM99\n%\n";
-    let told = is_read(&format!("{main}{subs}"));
+    let parsed = is_read(&format!("{main}{subs}"));
     let expected = [[1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [3.0, 2.0], [3.0, 3.0], [3.0, 3.0]];
-    assert_eq!(ends(&told, MoveKind::Feed).iter().map(|end| [end[0], end[1]]).collect::<Vec<_>>(), expected);
-    assert_eq!(told.moves.iter().map(|one| one.line).collect::<Vec<_>>(), [8, 12, 8, 12, 8, 12, 5]);
-    says(&told.understood.assumed, "subprograms of the file are run where they are called (line 4)");
-    assert!(told.understood.ignored.iter().all(|one| !one.contains("behind the end")), "{:?}", told.understood.ignored);
+    assert_eq!(ends(&parsed, MoveKind::Feed).iter().map(|end| [end[0], end[1]]).collect::<Vec<_>>(), expected);
+    assert_eq!(parsed.moves.iter().map(|one| one.line).collect::<Vec<_>>(), [8, 12, 8, 12, 8, 12, 5]);
+    says(&parsed.understood.assumed, "subprograms of the file are run where they are called (line 4)");
+    assert!(
+        parsed.understood.ignored.iter().all(|one| !one.contains("behind the end")),
+        "{:?}",
+        parsed.understood.ignored
+    );
     // Three times in one number; LinuxCNC's own words.
     let folded = is_read(&format!("{}{subs}", main.replace("P2 L3", "P30002")));
-    assert_eq!(ends(&folded, MoveKind::Feed), ends(&told, MoveKind::Feed));
+    assert_eq!(ends(&folded, MoveKind::Feed), ends(&parsed, MoveKind::Feed));
     let words = "o<row> sub\nG91 G1 X1\no3 call\no<row> endsub\n";
     let text = format!(
         "o3 sub\nG91 G1 Y1\no3 endsub\n{words}G21 G90 F100\nG0 X0 Y0 Z0\no<row> call\nO<ROW> CALL (again)\no <row> call ; and again\nG90 G1 Z5\nM2\n"
     );
-    assert_eq!(ends(&is_read(&text), MoveKind::Feed), ends(&told, MoveKind::Feed));
+    assert_eq!(ends(&is_read(&text), MoveKind::Feed), ends(&parsed, MoveKind::Feed));
 }
 
 #[test]
@@ -400,9 +404,9 @@ fn other_languages_are_refused_by_name() {
 
 /// Words that move nothing stand in what was ignored, each with the line that came first.
 #[test]
-fn modes_that_move_nothing_are_told() {
+fn modes_that_move_nothing_are_reported() {
     let text = "G21 G90\n$G\nG187 P3 E0.02\nG103 P1\nG05 P10000\nG40.1\nG22 X9 Y9 Z9 I0 J0 K0\nG23\nG0 X0 Y0 Z0\nG1 X1 F10\nM30\nG1 X99\n";
-    let told = is_read(text);
+    let parsed = is_read(text);
     for what in [
         "G187 (line 3)",
         "G103 (line 4)",
@@ -413,9 +417,9 @@ fn modes_that_move_nothing_are_told() {
         "$G (of the sender) (line 2)",
         "lines behind the end of the program (line 12)",
     ] {
-        says(&told.understood.ignored, what);
+        says(&parsed.understood.ignored, what);
     }
-    assert_eq!(told.survey.feed_length * 1e3, 1.0);
+    assert_eq!(parsed.survey.feed_length * 1e3, 1.0);
 }
 
 #[test]
@@ -438,10 +442,10 @@ fn files_are_named_for_what_they_are() {
 /// What `mill` and its reports say of a file besides its answer.
 #[test]
 fn everything_that_was_assumed_or_left_out_is_a_remark() {
-    let told = is_read(
+    let parsed = is_read(
         "G20 G90 T1 M6\nG0 X0 Y0 Z0\nG2 Y4.001 I0 J2. F10\nG53 Z0\nM30\n".replace("G53 Z0", "G0 G53 Z0").as_str(),
     );
-    let remarks = told.understood.remarks();
+    let remarks = parsed.understood.remarks();
     for what in [
         "the ends of arcs miss one radius by up to 0.0254 mm",
         "2 moves to or from where only the machine knows are no part of the path",
@@ -454,9 +458,9 @@ fn everything_that_was_assumed_or_left_out_is_a_remark() {
 /// The way of rapid moves and where they end, by hand: from (0, 0, 5) on.
 #[test]
 fn rapid_moves_have_a_box_of_their_own() {
-    let told = is_read("G21 G90 F100\nG0 X0 Y0 Z5\nG1 Z0\nG0 Z9\nX-3 Y4\nG1 Z0\nM30\n");
-    let [low, high] = told.survey.rapid_extent.unwrap().map(|corner| corner * 1e3);
+    let parsed = is_read("G21 G90 F100\nG0 X0 Y0 Z5\nG1 Z0\nG0 Z9\nX-3 Y4\nG1 Z0\nM30\n");
+    let [low, high] = parsed.survey.rapid_extent.unwrap().map(|corner| corner * 1e3);
     assert!((low.x + 3.0).abs() < 1e-9 && low.y.abs() < 1e-9 && (low.z - 9.0).abs() < 1e-9, "{low}");
     assert!(high.x.abs() < 1e-9 && (high.y - 4.0).abs() < 1e-9 && (high.z - 9.0).abs() < 1e-9, "{high}");
-    close(told.survey.rapid_length, 0.014);
+    close(parsed.survey.rapid_length, 0.014);
 }

@@ -92,8 +92,8 @@ fn displacements_of_postures_that_were_left_out_lie_in_their_intervals() {
         let found = identify(&robot, &kept, &Options::default(), Watch::nobody()).unwrap();
         let identified = found.robot.identified().unwrap();
         let written = [Some(identified.residual), identified.left_out, identified.moved].map(Option::unwrap);
-        for (told, found) in written.iter().zip([found.after_used, found.left_out.unwrap(), found.before]) {
-            assert!((told / found - 1.0).abs() < 1e-9, "{told} {found}");
+        for (stated, found) in written.iter().zip([found.after_used, found.left_out.unwrap(), found.before]) {
+            assert!((stated / found - 1.0).abs() < 1e-9, "{stated} {found}");
         }
         let mut silent = found.robot.clone();
         let Arm::SixAxis { drives, .. } = &mut silent.arm else { unreachable!("six axes") };
@@ -189,7 +189,7 @@ fn loads_and_displacements_may_point_along_the_axes_of_the_flange() {
 }
 
 /// 200 tables of known truth. At 95 % each drive is covered in 190 of them; the chance of less than 178, four standard deviations of
-/// that (3.1) below, is one in 30 000. The larger of two errors is told, so that more are covered, but not all of 1200.
+/// that (3.1) below, is one in 30 000. The larger of two errors is reported, so that more are covered, but not all of 1200.
 #[test]
 fn intervals_hold_the_truth_as_often_as_they_say() {
     let robot = with(&kuka(), TRUTH);
@@ -272,9 +272,9 @@ fn what_is_left_out_is_what_a_fit_without_the_posture_misses() {
 }
 
 #[test]
-fn noisier_rows_count_less_and_the_noise_that_is_told_is_compared() {
+fn noisier_rows_count_less_and_the_noise_that_is_given_is_compared() {
     let robot = with(&kuka(), TRUTH);
-    let mut measured = Made { noise: 20e-6, told: true, ..Made::usual(17) }.measured(&robot);
+    let mut measured = Made { noise: 20e-6, noise_in_table: true, ..Made::usual(17) }.measured(&robot);
     let found = identify(&robot, &measured, &Options::default(), Watch::nobody()).unwrap();
     // Of 118 degrees of freedom and more, 1 within a fifth.
     assert!((found.noise_ratio.unwrap() - 1.0).abs() < 0.2, "{:?}", found.noise_ratio);
@@ -318,7 +318,7 @@ fn what_cannot_be_identified_is_refused_with_the_reason() {
 }
 
 #[test]
-fn several_markers_are_told_apart_by_their_names() {
+fn several_markers_are_distinguished_by_their_names() {
     let robot = with(&kuka(), TRUTH);
     let made = Made { noise: 0.0, ..Made::usual(23) };
     let text = made.table(&robot);

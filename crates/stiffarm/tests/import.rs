@@ -627,9 +627,9 @@ fn a_flange_beside_axis_6_is_refused_where_it_is_named_and_passed_over_where_not
     assert!(error.to_string().contains("link 'side_flange' stands 100.0 mm beside axis 6"), "{error}");
 }
 
-/// The last frame of a description, moved by hand: what is told is what a robot file cannot say.
+/// The last frame of a description, moved by hand: what is reported is what a robot file cannot say.
 #[test]
-fn a_flange_a_little_beside_axis_6_is_told_by_how_much_or_refused() {
+fn a_flange_a_little_beside_axis_6_is_reported_by_how_much_or_refused() {
     let tool = r#"<origin rpy="0 1.5707963267948966 0"/>"#;
     let beside = |origin: &str| plain(&replaced(EXAMPLE, tool, origin));
     for (origin, metres, degrees, says) in [

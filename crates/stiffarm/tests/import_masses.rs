@@ -124,7 +124,7 @@ fn a_makers_macro_has_the_masses_and_torques_that_the_catalogue_has_by_another_p
 }
 
 #[test]
-fn a_fault_of_a_macro_file_is_told_with_its_own_line() {
+fn a_fault_of_a_macro_file_is_reported_with_its_own_line() {
     let text = replaced(&macro_file(), "upper=\"${radians(125)}\"", "upper=\"wide\"");
     let Err(ImportError::Faults(faults)) = plain(&text) else { panic!("a word is no limit") };
     let line = text.lines().position(|line| line.contains("wide")).unwrap() + 1;

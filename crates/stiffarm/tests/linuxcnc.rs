@@ -1,6 +1,6 @@
 //! Does the reader move the tool as `LinuxCNC`'s interpreter does?
 //!
-//! `validation/rs274_cases.txt` holds programs and their moves as rs274, which shares no code with this one, has told them
+//! `validation/rs274_cases.txt` holds programs and their moves as rs274, which shares no code with this one, has printed them
 //! (`scripts/rs274`). It prints four decimals of mm or of inches: half of the last one is 1.3 um.
 
 use stiffarm::toolpath::{Arc, Course, Format, IncrementalCycles, Move, MoveKind, ReadOptions, read};
@@ -14,7 +14,7 @@ const CENTRE: f64 = 0.01;
 struct Case<'a> {
     name: &'a str,
     program: String,
-    told: Vec<&'a str>,
+    expected: Vec<&'a str>,
 }
 
 fn cases() -> Vec<Case<'static>> {
@@ -22,11 +22,11 @@ fn cases() -> Vec<Case<'static>> {
     let mut cases = Vec::new();
     for part in text.split("\n== ").skip(1) {
         let (name, rest) = part.split_once('\n').expect("a name");
-        let (program, told) = rest.split_once("\n--").expect("a program");
+        let (program, expected) = rest.split_once("\n--").expect("a program");
         cases.push(Case {
             name,
             program: format!("{program}\n"),
-            told: told.lines().filter(|line| !line.is_empty()).collect(),
+            expected: expected.lines().filter(|line| !line.is_empty()).collect(),
         });
     }
     cases
@@ -43,13 +43,13 @@ fn moves(case: &Case) -> Result<Vec<Move>, String> {
     Ok(moves)
 }
 
-fn numbers(told: &str) -> Vec<f64> {
-    told.split(' ').filter_map(|word| word.parse().ok()).collect()
+fn numbers(line: &str) -> Vec<f64> {
+    line.split(' ').filter_map(|word| word.parse().ok()).collect()
 }
 
-/// A move against what was told of it.
-fn holds(one: &Move, told: &str) -> Result<(), String> {
-    let (kind, n) = (told.split(' ').next().unwrap_or_default(), numbers(told));
+/// A move against its line of rs274.
+fn holds(one: &Move, line: &str) -> Result<(), String> {
+    let (kind, n) = (line.split(' ').next().unwrap_or_default(), numbers(line));
     let found = match (one.kind, &one.course) {
         (MoveKind::Rapid, _) => "rapid",
         (MoveKind::Feed, Course::Line) => "feed",
@@ -68,13 +68,13 @@ fn holds(one: &Move, told: &str) -> Result<(), String> {
     }
     match &one.course {
         Course::Line => Ok(()),
-        Course::Arc(arc) => turns_alike(arc, told, &n),
+        Course::Arc(arc) => turns_alike(arc, line, &n),
     }
 }
 
 /// Plane, centre, sense and turns begun of an arc.
-fn turns_alike(arc: &Arc, told: &str, n: &[f64]) -> Result<(), String> {
-    let plane = told.split(' ').nth(5).unwrap_or_default();
+fn turns_alike(arc: &Arc, line: &str, n: &[f64]) -> Result<(), String> {
+    let plane = line.split(' ').nth(5).unwrap_or_default();
     let [a, b, normal] = match plane {
         "XY" => [0, 1, 2],
         "ZX" => [2, 0, 1],
@@ -93,7 +93,7 @@ fn turns_alike(arc: &Arc, told: &str, n: &[f64]) -> Result<(), String> {
 fn the_tool_moves_as_linuxcnc_moves_it() {
     let (mut wrong, mut moved, mut arcs) = (Vec::new(), 0, 0);
     for case in cases() {
-        let found = match (moves(&case), &case.told[..]) {
+        let found = match (moves(&case), &case.expected[..]) {
             (Err(_), ["refused"]) => continue,
             (Ok(_), ["refused"]) => {
                 wrong.push(format!("{}: it is read, and rs274 refuses it", case.name));
@@ -107,18 +107,18 @@ fn the_tool_moves_as_linuxcnc_moves_it() {
         };
         let by_ends = case.name.ends_with("pecks");
         // The first move comes from where the file does not tell.
-        let told: Vec<&str> =
-            case.told[1..].iter().copied().filter(|told| !by_ends || told.starts_with("feed")).collect();
+        let expected: Vec<&str> =
+            case.expected[1..].iter().copied().filter(|line| !by_ends || line.starts_with("feed")).collect();
         let found: Vec<&Move> = found.iter().filter(|one| !by_ends || one.kind == MoveKind::Feed).collect();
-        if told.len() != found.len() {
-            wrong.push(format!("{}: {} moves, and rs274 makes {}", case.name, found.len(), told.len()));
+        if expected.len() != found.len() {
+            wrong.push(format!("{}: {} moves, and rs274 makes {}", case.name, found.len(), expected.len()));
             continue;
         }
-        for (one, told) in found.iter().zip(told) {
+        for (one, line) in found.iter().zip(expected) {
             arcs += usize::from(one.course != Course::Line);
             moved += 1;
-            if let Err(why) = holds(one, told) {
-                wrong.push(format!("{}, line {}: {why}, and rs274 has {told}", case.name, one.line));
+            if let Err(why) = holds(one, line) {
+                wrong.push(format!("{}, line {}: {why}, and rs274 has {line}", case.name, one.line));
             }
         }
     }

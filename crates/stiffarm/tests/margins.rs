@@ -41,7 +41,7 @@ fn random_zone(rng: &mut fastrand::Rng) -> Zone {
 }
 
 /// The value and its bound; where there is no place, the reason.
-fn told(placed: &Placed) -> Result<[f64; 2], &Misfit> {
+fn value_or_reason(placed: &Placed) -> Result<[f64; 2], &Misfit> {
     match placed {
         Placed::Feasible(best) => Ok([best.deflection, best.lower_bound]),
         Placed::Infeasible { reason, .. } => Err(reason),
@@ -50,7 +50,7 @@ fn told(placed: &Placed) -> Result<[f64; 2], &Misfit> {
 
 /// Whether two answers are the same but for the gap of their proofs.
 fn agree(margined: &Placed, narrowed: &Placed, case: &str) -> bool {
-    match (told(margined), told(narrowed)) {
+    match (value_or_reason(margined), value_or_reason(narrowed)) {
         (Ok([value, lower]), Ok([other, other_lower])) => {
             assert!(lower <= other * (1.0 + 1e-9) && other_lower <= value * (1.0 + 1e-9), "{case}");
             assert!((value - other).abs() <= 1e-4 * value, "{case}: {value} {other}");
@@ -99,7 +99,7 @@ fn a_margin_from_straight_postures_is_an_elbow_that_neither_stretches_nor_folds(
             sides.into_iter().filter_map(|side| Some(PlanarArm { elbow: arm.elbow.intersect(side)?, ..arm.clone() }));
         let answers: Vec<Placed> =
             bent.filter_map(|bent| links::place(&bent, zone, &asked(Margins::NONE)).ok()).collect();
-        let value = |placed: &&Placed| told(placed).map_or(f64::INFINITY, |[value, _]| value);
+        let value = |placed: &&Placed| value_or_reason(placed).map_or(f64::INFINITY, |[value, _]| value);
         match answers.iter().min_by(|a, b| value(a).total_cmp(&value(b))) {
             Some(best) if agree(&margined, best, &case) => placed += 1,
             _ if margined.feasible().is_none() => none += 1,

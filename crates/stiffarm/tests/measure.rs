@@ -161,8 +161,8 @@ fn errors_are_as_large_as_expected_when_measured_as_planned() {
             }
         });
         let measured = Measurements { readings: readings.collect(), remarks: Vec::new() };
-        let told = identify(&robot, &measured, &IdentifyOptions::default(), Watch::nobody()).unwrap();
-        for (i, one) in told.estimates.iter().enumerate() {
+        let identified = identify(&robot, &measured, &IdentifyOptions::default(), Watch::nobody()).unwrap();
+        for (i, one) in identified.estimates.iter().enumerate() {
             squares[i] += ((one.compliance.unwrap() - truth[i]) / found.errors[i].unwrap()).powi(2) / 40.0;
         }
     }

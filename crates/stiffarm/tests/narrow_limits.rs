@@ -125,8 +125,8 @@ fn no_posture_in_a_sliver_beats_the_answer_or_stands_where_there_is_no_place() {
     let (mut found, mut none, mut compared) = (0, 0, 0);
     for case in 0..10 {
         let q = question(&mut rng);
-        let told = format!("case {case}: {:?} {:?} {:?}", q.arm, q.zone, q.options);
-        let answer = place(&q.arm, q.zone, &q.options).unwrap_or_else(|error| panic!("{told}: {error}"));
+        let text = format!("case {case}: {:?} {:?} {:?}", q.arm, q.zone, q.options);
+        let answer = place(&q.arm, q.zone, &q.options).unwrap_or_else(|error| panic!("{text}: {error}"));
         let floor = answer.feasible().map_or(f64::INFINITY, |best| best.lower_bound);
         if answer.feasible().is_some() {
             found += 1;
@@ -143,7 +143,7 @@ fn no_posture_in_a_sliver_beats_the_answer_or_stands_where_there_is_no_place() {
             };
             if let Some(value) = judged(&q, shoulder, elbow) {
                 compared += 1;
-                assert!(floor <= value * (1.0 + 1e-9), "{told}: {value} at {shoulder} {elbow}, floor {floor}");
+                assert!(floor <= value * (1.0 + 1e-9), "{text}: {value} at {shoulder} {elbow}, floor {floor}");
             }
         }
     }

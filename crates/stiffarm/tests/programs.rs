@@ -562,7 +562,7 @@ fn where_it_is_not_known_what_the_pendant_shows_no_joint_angle_is_written_and_th
 }
 
 #[test]
-fn whoever_says_that_the_pendant_counts_so_gets_the_move_in_joints_and_is_told_what_it_rests_on() {
+fn whoever_says_that_the_pendant_counts_so_gets_the_move_in_joints_and_learns_what_it_rests_on() {
     let geometry = kuka();
     let (known, given) = (setup(&geometry), Setup { pendant: &Pendant::Given, ..setup(&geometry) });
     let stations = stations(30, 9);
@@ -656,9 +656,9 @@ fn every_controller_stops_where_a_tool_is_changed_and_leads_each_where_its_joint
     for ((at, change), named) in stops(&ls, "  PAUSE").into_iter().zip(changes).zip(named) {
         let before: Vec<&str> =
             ls[..at].iter().rev().take_while(|line| line.contains("  !")).map(String::as_str).collect();
-        let told: Vec<&str> =
+        let remark: Vec<&str> =
             before.iter().rev().filter_map(|line| Some(line.split_once('!')?.1.trim_end_matches(" ;"))).collect();
-        assert!(told.join(" ").starts_with(named), "{told:?}");
+        assert!(remark.join(" ").starts_with(named), "{remark:?}");
         assert!(ls[at - before.len() - 1].contains("FINE"), "{}", ls[at - before.len() - 1]);
         assert!(ls[at + 1].contains(&format!("UTOOL_NUM={}", stations[change].tool + 1)), "{}", ls[at + 1]);
         assert!(ls[at + 2].contains(&format!("J P[{}] 10% FINE", change + 1)), "{}", ls[at + 2]);

@@ -1,4 +1,4 @@
-//! Is the best link ratio the best, and is every refusal told?
+//! Is the best link ratio the best, and is every refusal reported?
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -72,7 +72,7 @@ fn no_ratio_of_a_dense_scan_is_better_than_the_best_and_one_is_nearly_as_good() 
                 fitted += 1;
                 assert!(range.0 <= mu && mu <= range.1);
                 assert!(accuracy <= scan * (1.0 + 1e-9), "{contender:?} {zone:?} {range:?}: {accuracy} above {scan}");
-                // What is told is attained at that ratio, and at no other distance there is much less.
+                // What is reported is attained at that ratio, and at no other distance there is much less.
                 let there = by_scan(&contender, &stances, mu, 5_000);
                 assert!((there - accuracy).abs() <= 2e-3 * accuracy, "{contender:?} {zone:?} {mu}: {accuracy} {there}");
                 assert!(accuracy <= there * (1.0 + 1e-9), "{contender:?} {zone:?} {mu}: {accuracy} {there}");

@@ -10,14 +10,14 @@ use stiffarm::toolpath::{
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/paths");
 
-/// Everything that is told of a text, in one place.
-struct Told {
+/// A text as it is read: its moves, their survey and what was understood.
+struct Parsed {
     moves: Vec<Move>,
     survey: Survey,
     understood: Understood,
 }
 
-fn told(text: &str, format: Format, options: &ReadOptions) -> Result<Told, String> {
+fn parse(text: &str, format: Format, options: &ReadOptions) -> Result<Parsed, String> {
     let (mut moves, mut survey) = (Vec::new(), Survey::new(Steps::USUAL));
     let mut each = |one: &Move| {
         moves.push(*one);
@@ -25,16 +25,16 @@ fn told(text: &str, format: Format, options: &ReadOptions) -> Result<Told, Strin
     };
     let understood =
         read(&mut text.as_bytes(), "p", format, options, &mut each, &mut |_| Ok(())).map_err(|why| why.to_string())?;
-    Ok(Told { moves, survey, understood })
+    Ok(Parsed { moves, survey, understood })
 }
 
-fn of_file(name: &str, options: &ReadOptions) -> Result<Told, String> {
+fn of_file(name: &str, options: &ReadOptions) -> Result<Parsed, String> {
     let text = fs::read_to_string(format!("{FOLDER}/{name}")).expect("a file of the tests");
-    told(&text, Format::of_name(name).expect("a known ending"), options)
+    parse(&text, Format::of_name(name).expect("a known ending"), options)
 }
 
-fn gcode(text: &str) -> Result<Told, String> {
-    told(text, Format::GCode, &ReadOptions::default())
+fn gcode(text: &str) -> Result<Parsed, String> {
+    parse(text, Format::GCode, &ReadOptions::default())
 }
 
 fn asked() -> ReadOptions {
@@ -45,11 +45,11 @@ fn close(a: f64, b: f64, within: f64) {
     assert!((a - b).abs() <= within, "{a} is not {b}");
 }
 
-fn tips(told: &Told) -> Vec<Vector3<f64>> {
-    told.moves.iter().map(|one| one.to.tip * 1e3).collect()
+fn tips(parsed: &Parsed) -> Vec<Vector3<f64>> {
+    parsed.moves.iter().map(|one| one.to.tip * 1e3).collect()
 }
 
-/// Feed length and length of arcs, mm, to the digits in which an independent interpreter told them; moves and arcs.
+/// Feed length and length of arcs, mm, to the digits in which an independent interpreter printed them; moves and arcs.
 #[test]
 fn files_are_as_long_as_another_interpreter_found() {
     let centre = ReadOptions { cutter_compensation: CutterCompensation::Centre, ..asked() };
@@ -61,7 +61,7 @@ fn files_are_as_long_as_another_interpreter_found() {
         ("own_nx_contour.cls", asked(), 118.416, 6, 2, 10.0 * std::f64::consts::PI),
         ("own_sw_contour.apt", asked(), 118.416, 6, 2, 10.0 * std::f64::consts::PI),
     ] {
-        let Told { survey, .. } = of_file(name, &options).unwrap_or_else(|why| panic!("{name}: {why}"));
+        let Parsed { survey, .. } = of_file(name, &options).unwrap_or_else(|why| panic!("{name}: {why}"));
         close(survey.feed_length * 1e3, feed, 6e-4);
         close(survey.arc_length * 1e3, of_arcs, 6e-4);
         assert_eq!((survey.feed_moves, survey.arcs), (moves, arcs), "{name}");
@@ -71,9 +71,10 @@ fn files_are_as_long_as_another_interpreter_found() {
 }
 
 #[test]
-fn what_a_file_leaves_open_is_told_with_its_line() {
-    let Told { understood, survey, .. } = of_file("contour_ij.nc", &asked()).unwrap();
-    let has = |told: &[String], what: &str| assert!(told.iter().any(|one| one.contains(what)), "{what}: {told:?}");
+fn what_a_file_leaves_open_is_reported_with_its_line() {
+    let Parsed { understood, survey, .. } = of_file("contour_ij.nc", &asked()).unwrap();
+    let has =
+        |remarks: &[String], what: &str| assert!(remarks.iter().any(|one| one.contains(what)), "{what}: {remarks:?}");
     has(&understood.assumed, "lengths in mm, since the file names none");
     has(&understood.assumed, "the part frame is that of G54 (line 6)");
     has(&understood.ignored, "M6 (line 5)");
@@ -89,8 +90,8 @@ fn what_a_file_leaves_open_is_told_with_its_line() {
 #[test]
 fn nx_and_solidworks_files_of_one_path_give_one_path() {
     let [nx, sw] = ["own_nx_contour.cls", "own_sw_contour.apt"].map(|name| of_file(name, &asked()).unwrap());
-    let points = |told: &Told| -> Vec<Vector3<f64>> {
-        told.moves.iter().flat_map(|one| samples(one, &Steps::USUAL, 0.0).map(|sample| sample.pose.tip)).collect()
+    let points = |parsed: &Parsed| -> Vec<Vector3<f64>> {
+        parsed.moves.iter().flat_map(|one| samples(one, &Steps::USUAL, 0.0).map(|sample| sample.pose.tip)).collect()
     };
     let (nx_points, sw_points) = (points(&nx), points(&sw));
     assert_eq!(nx_points.len(), sw_points.len());
@@ -101,7 +102,7 @@ fn nx_and_solidworks_files_of_one_path_give_one_path() {
         nx.moves.iter().map(|one| one.feed).collect::<Vec<_>>(),
         sw.moves.iter().map(|one| one.feed).collect::<Vec<_>>()
     );
-    let heads = [&nx, &sw].map(|told| told.understood.assumed.concat());
+    let heads = [&nx, &sw].map(|parsed| parsed.understood.assumed.concat());
     assert!(
         heads[0].contains("clockwise about their axis, as Siemens NX") && heads[1].contains("as SOLIDWORKS CAM"),
         "{heads:?}"
@@ -116,8 +117,8 @@ fn twelve_holes_lie_on_their_circle_and_are_as_deep_as_the_user_says() {
         "{refused}"
     );
     for (how, bottom) in [(IncrementalCycles::FromInitial, -20.0), (IncrementalCycles::FromR, -118.0)] {
-        let told = of_file("drill_g81_g91.nc", &ReadOptions { incremental_cycles: Some(how), ..asked() }).unwrap();
-        let holes: Vec<&Move> = told.moves.iter().filter(|one| one.kind == MoveKind::Feed).collect();
+        let parsed = of_file("drill_g81_g91.nc", &ReadOptions { incremental_cycles: Some(how), ..asked() }).unwrap();
+        let holes: Vec<&Move> = parsed.moves.iter().filter(|one| one.kind == MoveKind::Feed).collect();
         assert_eq!(holes.len(), 12);
         for (k, hole) in holes.iter().enumerate() {
             let tip = hole.to.tip * 1e3;
@@ -130,8 +131,8 @@ fn twelve_holes_lie_on_their_circle_and_are_as_deep_as_the_user_says() {
     }
     // Read as RS274/NGC, the numbers are read anew in G90: Z-120 and R-98 as places.
     let nist = ReadOptions { incremental_cycles: Some(IncrementalCycles::Nist), ..asked() };
-    let told = of_file("drill_g81_g91.nc", &nist).unwrap();
-    close(told.survey.extent.unwrap()[0].z * 1e3, -120.0, 1e-9);
+    let parsed = of_file("drill_g81_g91.nc", &nist).unwrap();
+    close(parsed.survey.extent.unwrap()[0].z * 1e3, -120.0, 1e-9);
 }
 
 /// The cycles of the RS274/NGC manual in three planes; by hand for the first ones.
@@ -140,9 +141,9 @@ fn every_cycle_of_the_manual_is_expanded() {
     let refused = of_file("canned_cycles_c3.ngc", &asked()).err().unwrap();
     assert!(refused.starts_with("p:4: G81: makers differ"), "{refused}");
     let nist = ReadOptions { incremental_cycles: Some(IncrementalCycles::Nist), ..asked() };
-    let told = of_file("canned_cycles_c3.ngc", &nist).unwrap();
+    let parsed = of_file("canned_cycles_c3.ngc", &nist).unwrap();
     let of_line = |line: usize| -> Vec<(MoveKind, [f64; 3])> {
-        let of = told.moves.iter().filter(|one| one.line == line);
+        let of = parsed.moves.iter().filter(|one| one.line == line);
         of.map(|one| (one.kind, (one.to.tip / 25.4e-3).map(|x| (x * 1e6).round() / 1e6 + 0.0).into())).collect()
     };
     let (rapid, feed) = (MoveKind::Rapid, MoveKind::Feed);
@@ -161,7 +162,7 @@ fn every_cycle_of_the_manual_is_expanded() {
     let back = of_line(13);
     assert!(back.contains(&(rapid, [9.231, 10.0, -1.1])) && back.contains(&(feed, [9.0, 10.0, -3.0])), "{back:?}");
     // Under G18 the tool comes along Y.
-    let aside: Vec<&Move> = told.moves.iter().filter(|one| one.line == 22 && one.kind == feed).collect();
+    let aside: Vec<&Move> = parsed.moves.iter().filter(|one| one.line == 22 && one.kind == feed).collect();
     assert!(aside.iter().all(|one| one.to.axis == Vector3::y() && one.to.tip.y < one.from.tip.y) && aside.len() == 1);
 }
 
@@ -170,39 +171,39 @@ fn a_table_of_points_and_normals_needs_names_for_its_columns() {
     let refused = of_file("puzzle_bent_head.csv", &asked()).err().unwrap();
     assert!(refused.starts_with("p:1: the header: it does not name x, y and z"), "{refused}");
     let columns = "-,x_mm,y_mm,z_mm,nx,ny,nz".split(',').map(String::from).collect();
-    let told = of_file("puzzle_bent_head.csv", &ReadOptions { columns, ..asked() }).unwrap();
+    let parsed = of_file("puzzle_bent_head.csv", &ReadOptions { columns, ..asked() }).unwrap();
     // 23 points; the first six steps by hand: the tool stands along y, the normal.
-    assert_eq!((told.moves.len(), told.moves[0].line), (22, 4));
-    close(told.moves[0].length() * 1e3, (0.1877_f64.powi(2) + 2.507_f64.powi(2)).sqrt(), 1e-9);
-    assert_eq!(told.moves[0].to.axis, Vector3::y());
-    assert_eq!(told.survey.feed_time, None);
+    assert_eq!((parsed.moves.len(), parsed.moves[0].line), (22, 4));
+    close(parsed.moves[0].length() * 1e3, (0.1877_f64.powi(2) + 2.507_f64.powi(2)).sqrt(), 1e-9);
+    assert_eq!(parsed.moves[0].to.axis, Vector3::y());
+    assert_eq!(parsed.survey.feed_time, None);
     let tabled = "x_mm;y_mm;z_mm;i;j;k;feed_mm_per_min;rapid;ap_mm;note\n0;0;0;0;0;2;600;0;1;a\n# rest\n30;0;0;0;0;1;600;0;1.5;\n30;40;0;0;0;1;;1;;\n";
-    let told = told_csv(tabled).unwrap();
-    close(told.survey.feed_time.unwrap(), 3.0, 1e-12);
-    close(told.survey.rapid_length, 0.04, 1e-12);
-    assert_eq!(told.moves[0].given.axial_depth, Some(1.5e-3));
-    assert!(told.understood.ignored[0].contains("column note"));
+    let parsed = parse_csv(tabled).unwrap();
+    close(parsed.survey.feed_time.unwrap(), 3.0, 1e-12);
+    close(parsed.survey.rapid_length, 0.04, 1e-12);
+    assert_eq!(parsed.moves[0].given.axial_depth, Some(1.5e-3));
+    assert!(parsed.understood.ignored[0].contains("column note"));
 }
 
 /// By hand: from up to ahead by a quarter turn, so that in the middle the normal leans by an eighth; beside a tool axis of its own.
 #[test]
 fn normals_of_a_table_turn_evenly_from_point_to_point() {
     let table = "x_mm,y_mm,z_mm,i,j,k,nx,ny,nz\n0,0,0,0,0,1,0,0,2\n10,0,0,0,0,1,1,0,0\n20,0,0,0,0,1,-1,0,0\n";
-    let told = told_csv(table).unwrap();
-    let normal = |i: usize, t: f64| told.moves[i].normal(t).unwrap();
+    let parsed = parse_csv(table).unwrap();
+    let normal = |i: usize, t: f64| parsed.moves[i].normal(t).unwrap();
     assert!((normal(0, 0.5) - Vector3::new(0.5_f64.sqrt(), 0.0, 0.5_f64.sqrt())).norm() < 1e-12);
     assert_eq!((normal(0, 0.0), normal(0, 1.0)), (Vector3::z(), Vector3::x()));
     // Between opposite ones there is no even turn.
     assert_eq!((normal(1, 0.4), normal(1, 0.6)), (Vector3::x(), -Vector3::x()));
-    assert!(told.moves.iter().all(|one| one.axis(0.5) == Vector3::z()));
-    assert!(told.understood.assumed.concat().contains("normals are taken as directions, whatever their length"));
-    let refused = told_csv(&table.replace("-1,0,0", "0,0,0")).err().unwrap();
+    assert!(parsed.moves.iter().all(|one| one.axis(0.5) == Vector3::z()));
+    assert!(parsed.understood.assumed.concat().contains("normals are taken as directions, whatever their length"));
+    let refused = parse_csv(&table.replace("-1,0,0", "0,0,0")).err().unwrap();
     assert!(refused.contains("the normal is zero"), "{refused}");
-    assert_eq!(told_csv("x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n").unwrap().moves[0].normal(0.5), None);
+    assert_eq!(parse_csv("x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n").unwrap().moves[0].normal(0.5), None);
 }
 
-fn told_csv(text: &str) -> Result<Told, String> {
-    told(text, Format::Csv, &asked())
+fn parse_csv(text: &str) -> Result<Parsed, String> {
+    parse(text, Format::Csv, &asked())
 }
 
 #[test]
@@ -229,7 +230,7 @@ fn arcs_about_the_origin_are_found_by_which_reading_closes() {
         "{refused}"
     );
     let options = ReadOptions { arc_centres: Some(ArcCentres::Absolute), ..asked() };
-    assert!(told(&program(10.0), Format::GCode, &options).is_err());
+    assert!(parse(&program(10.0), Format::GCode, &options).is_err());
     // A full circle closes either way: an arc behind it must not say that it was read wrongly.
     let doubtful = "G21 G90 G1 F100 X10. Y0 Z0\nG2 I5. J0\nG2 X20. Y10. I20. J0\n";
     let refused = gcode(doubtful).err().unwrap();
@@ -256,18 +257,18 @@ fn planes_radii_turns_and_units_are_as_by_hand() {
 #[test]
 fn offsets_of_position_are_followed_and_machine_moves_are_apart() {
     // After G92 at X10 the program counts from there; G92.1 goes back.
-    let told = gcode("G21 G90 G1 F100 X10. Y0 Z0\nG92 X0\nG1 X5.\nG92.1\nG1 X20.\n").unwrap();
-    assert_eq!(tips(&told).iter().map(|tip| tip.x.round()).collect::<Vec<_>>(), [10.0, 15.0, 20.0]);
+    let parsed = gcode("G21 G90 G1 F100 X10. Y0 Z0\nG92 X0\nG1 X5.\nG92.1\nG1 X20.\n").unwrap();
+    assert_eq!(tips(&parsed).iter().map(|tip| tip.x.round()).collect::<Vec<_>>(), [10.0, 15.0, 20.0]);
     // G52 shifts.
-    let told = gcode("G21 G90 G1 F100 X10. Y0 Z0\nG52 X1. Y2.\nG1 X5. Y0\nG52 X0 Y0\nG1 X5.\n").unwrap();
-    assert_eq!(tips(&told)[1].map(f64::round), Vector3::new(6.0, 2.0, 0.0));
-    assert_eq!(tips(&told)[2].map(f64::round), Vector3::new(5.0, 2.0, 0.0));
-    // From home no feed move can be told, a rapid one is apart.
+    let parsed = gcode("G21 G90 G1 F100 X10. Y0 Z0\nG52 X1. Y2.\nG1 X5. Y0\nG52 X0 Y0\nG1 X5.\n").unwrap();
+    assert_eq!(tips(&parsed)[1].map(f64::round), Vector3::new(6.0, 2.0, 0.0));
+    assert_eq!(tips(&parsed)[2].map(f64::round), Vector3::new(5.0, 2.0, 0.0));
+    // From home no feed move can be followed, a rapid one is apart.
     let refused = gcode("G21 G90 G0 X0 Y0 Z0\nG1 X1. F1\nG28 G91 Z0\nG90\nG1 X5. Z5.\n").err().unwrap();
     assert!(refused.starts_with("p:5: G1: Z is where the machine has it since line 3"), "{refused}");
-    let told = gcode("G21 G90 G0 X0 Y0 Z0\nG1 X1. F1\nG0 G53 Z0\nG0 X5. Y5.\nG0 Z2.\nG1 Z0\n").unwrap();
-    assert_eq!((told.understood.apart, told.survey.feed_moves, told.survey.rapid_moves), (4, 2, 0));
-    close(told.survey.feed_length, 3e-3, 1e-12);
+    let parsed = gcode("G21 G90 G0 X0 Y0 Z0\nG1 X1. F1\nG0 G53 Z0\nG0 X5. Y5.\nG0 Z2.\nG1 Z0\n").unwrap();
+    assert_eq!((parsed.understood.apart, parsed.survey.feed_moves, parsed.survey.rapid_moves), (4, 2, 0));
+    close(parsed.survey.feed_length, 3e-3, 1e-12);
 }
 
 #[test]
@@ -281,18 +282,18 @@ fn five_axes_are_read_by_vectors_or_by_a_machine_that_is_named() {
         // Rx(-90) z = y; Rz(-90) y = x.
         (Rotary::TableAc, Vector3::x()),
     ] {
-        let told = told(program, Format::GCode, &ReadOptions { rotary: Some(rotary), ..asked() }).unwrap();
-        assert!((told.moves[0].to.axis - axis).norm() < 1e-12, "{rotary:?} {}", told.moves[0].to.axis);
+        let parsed = parse(program, Format::GCode, &ReadOptions { rotary: Some(rotary), ..asked() }).unwrap();
+        assert!((parsed.moves[0].to.axis - axis).norm() < 1e-12, "{rotary:?} {}", parsed.moves[0].to.axis);
         // Samples every 2 deg of a quarter turn at most, although 10 mm is one step.
-        assert_eq!(told.survey.samples, 46);
+        assert_eq!(parsed.survey.samples, 46);
     }
     let half = "G21 G90 G0 X0 Y0 Z0\nG1 X1. B30. C90. F60\n";
     for (rotary, x, y) in [(Rotary::HeadBc, 0.0, 0.5), (Rotary::TableBc, 0.0, 0.5)] {
-        let told = told(half, Format::GCode, &ReadOptions { rotary: Some(rotary), ..asked() }).unwrap();
-        let axis = told.moves[0].to.axis;
+        let parsed = parse(half, Format::GCode, &ReadOptions { rotary: Some(rotary), ..asked() }).unwrap();
+        let axis = parsed.moves[0].to.axis;
         // Ry(30) z = (0.5, 0, 0.87), turned by 90 about z; Ry(-30) z = (-0.5, 0, 0.87), turned by -90.
         assert!((axis - Vector3::new(x, y, 0.75_f64.sqrt())).norm() < 1e-12, "{rotary:?}: {axis}");
-        assert!(told.understood.assumed.concat().contains("X Y Z are the tip in the part, as under G43.4"));
+        assert!(parsed.understood.assumed.concat().contains("X Y Z are the tip in the part, as under G43.4"));
     }
     let vectors = gcode("G21 G90 G43.5\nG0 X0 Y0 Z0\nG1 X10. I0 J3. K4. F600\n").unwrap();
     assert!((vectors.moves[0].to.axis - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-12);
@@ -310,7 +311,7 @@ fn feed_rates_are_per_minute_per_turn_or_inverse_time() {
     let missing = gcode("G21 G90 G1 X10. Y0 Z0").err().unwrap();
     assert!(missing.starts_with("p:1: G1: no feed rate: expected F in this or an earlier block"), "{missing}");
     let given = ReadOptions { feed: Some(0.02), ..asked() };
-    assert_eq!(told("G21 G90 G1 X10. Y0 Z0", Format::GCode, &given).unwrap().moves[0].feed, Some(0.02));
+    assert_eq!(parse("G21 G90 G1 X10. Y0 Z0", Format::GCode, &given).unwrap().moves[0].feed, Some(0.02));
 }
 
 /// Every trap of G-code by its line, word and reason.
@@ -365,10 +366,10 @@ fn what_cannot_be_modelled_is_refused_by_line_and_name() {
 }
 
 #[test]
-fn letters_that_move_nothing_are_told() {
-    let told = gcode("%\nO7 (all)\nN10 G21 G90 G17 G40 T5 M6\nG0 X0 Y0 Z0 S900 M3\ng1x 1 .5 f100 e3\n/G1 X2.\n;rest\nM30\nG1 X99.\n%").unwrap();
-    close(told.survey.feed_length, 2e-3, 1e-12);
-    let ignored = told.understood.ignored.concat();
+fn letters_that_move_nothing_are_reported() {
+    let parsed = gcode("%\nO7 (all)\nN10 G21 G90 G17 G40 T5 M6\nG0 X0 Y0 Z0 S900 M3\ng1x 1 .5 f100 e3\n/G1 X2.\n;rest\nM30\nG1 X99.\n%").unwrap();
+    close(parsed.survey.feed_length, 2e-3, 1e-12);
+    let ignored = parsed.understood.ignored.concat();
     for what in [
         "E (line 5)",
         "N (block number) (line 3)",
@@ -379,12 +380,12 @@ fn letters_that_move_nothing_are_told() {
     ] {
         assert!(ignored.contains(what), "{what}: {ignored}");
     }
-    assert!(told.understood.assumed.concat().contains("blocks behind / are run (line 6)"));
+    assert!(parsed.understood.assumed.concat().contains("blocks behind / are run (line 6)"));
 }
 
 #[test]
 fn apt_is_read_by_who_wrote_it_and_refused_where_nobody_knows() {
-    let apt = |text: &str, options: &ReadOptions| told(text, Format::Apt, options);
+    let apt = |text: &str, options: &ReadOptions| parse(text, Format::Apt, options);
     let quarter = "GOTO/0,0,0\nFEDRAT/600,MMPM\nGOTO/10,0,0\nCIRCLE/10,10,0,0,0,1\nGOTO/20,10,0\nFINI\n";
     // No head says who wrote it; the move before the arc does: it goes on counter-clockwise.
     let seen = apt(quarter, &asked()).unwrap();
@@ -462,11 +463,11 @@ fn tables_that_make_no_sense_are_refused_by_line_and_name() {
         (head.into(), "p: nothing in it moves the tool"),
         (String::new(), "it has no header"),
     ] {
-        let refused = told_csv(&text).err().unwrap_or_else(|| panic!("{text} is read"));
+        let refused = parse_csv(&text).err().unwrap_or_else(|| panic!("{text} is read"));
         assert!(refused.contains(says), "{text}: {refused}");
     }
     let unit = ReadOptions { unit: Some(LengthUnit::Inch), ..asked() };
-    assert_eq!(told("x,y,z\n0,0,0\n1,0,0\n", Format::Csv, &unit).unwrap().moves[0].to.tip.x, 25.4e-3);
+    assert_eq!(parse("x,y,z\n0,0,0\n1,0,0\n", Format::Csv, &unit).unwrap().moves[0].to.tip.x, 25.4e-3);
 }
 
 /// No file, cut off anywhere, may end in anything but a path or a refusal with a line of it.
@@ -480,7 +481,7 @@ fn files_cut_off_anywhere_are_read_or_refused() {
     for name in ["contour_ij.nc", "canned_cycles_c3.ngc", "own_nx_contour.cls", "puzzle_bent_head.csv"] {
         let text = fs::read_to_string(format!("{FOLDER}/{name}")).unwrap();
         for end in 0..text.len() {
-            if let Err(refused) = told(&text[..end], Format::of_name(name).unwrap(), &nist) {
+            if let Err(refused) = parse(&text[..end], Format::of_name(name).unwrap(), &nist) {
                 assert!(refused.starts_with("p:"), "{refused}");
             }
         }
@@ -497,10 +498,10 @@ fn files_cut_off_anywhere_are_read_or_refused() {
 /// Each chord of the samples keeps to its arc as it was asked to, and no two samples are farther apart than a step.
 #[test]
 fn samples_keep_chord_and_step() {
-    let told = of_file("helix_full_circles.nc", &asked()).unwrap();
+    let parsed = of_file("helix_full_circles.nc", &asked()).unwrap();
     for steps in [Steps::USUAL, Steps { chord: 1e-3, longest: 2e-3, turn: 1.0 }] {
         let mut worst = 0.0_f64;
-        for one in &told.moves {
+        for one in &parsed.moves {
             let all: Vec<_> = samples(one, &steps, 1.0).collect();
             let n = (all.len() - 1) as f64;
             for (k, pair) in all.windows(2).enumerate() {

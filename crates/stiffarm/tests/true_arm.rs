@@ -1,4 +1,4 @@
-//! Does a path on a calibrated arm end where it is asked for, and are errors told that such an arm has?
+//! Does a path on a calibrated arm end where it is asked for, and are errors reported that such an arm has?
 
 use nalgebra::{Point3, UnitQuaternion, Vector3, Vector6};
 use stiffarm::calibration::{ControllerModel, Errors};

@@ -213,7 +213,7 @@ fn every_wrong_way_of_counting_is_found_and_what_is_written_then_is_verified() {
 }
 
 #[test]
-fn readings_that_move_no_wrist_verify_nothing_and_the_postures_told_do() {
+fn readings_that_move_no_wrist_verify_nothing_and_the_postures_proposed_do() {
     let robot = kuka();
     let mut few = POSTURES[..5].to_vec();
     for q in &mut few {
@@ -255,7 +255,7 @@ fn one_row_that_was_typed_wrong_is_named() {
 }
 
 #[test]
-fn a_wrist_that_carries_joints_along_is_told_and_not_written() {
+fn a_wrist_that_carries_joints_along_is_reported_and_not_written() {
     let robot = kuka();
     let mut text = String::new();
     // The pendant shows joint 6 less what joint 5 turns it along: theta 6 = -q6 + theta 5.

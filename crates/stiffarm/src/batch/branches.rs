@@ -130,7 +130,7 @@ impl SpatialArm {
     }
 
     /// Every configuration of a pose, at its index. Unless `ALL`, what is forbidden in every lane is left as soon as that is known, and only its slack
-    /// is told.
+    /// is given.
     #[inline(always)]
     pub(super) fn configurations<S: Simd, C: Counted, const ALL: bool>(
         &self,

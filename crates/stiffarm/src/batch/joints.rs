@@ -104,7 +104,7 @@ fn check(joints: &[&[f64]; 6], count: usize) -> Result<(), PostureError> {
     Ok(())
 }
 
-/// Whether a joint angle, rad, is one of which anything can be told; [`check_joint`] says what is wrong with others.
+/// Whether a joint angle, rad, is one of which anything can be computed; [`check_joint`] says what is wrong with others.
 #[inline(always)]
 pub(super) fn makes_sense(angle: f64) -> bool {
     angle.abs() <= 1080_f64.to_radians()

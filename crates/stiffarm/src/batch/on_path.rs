@@ -159,10 +159,10 @@ impl<S: Simd> Collector<S> for Angles<S> {
         let wrists = [[fourth, fifth, sixth], [fourth + PI, -fifth, sixth + PI]];
         for wrist in 0..2 {
             let index = branch.with(Wrist::ALL[wrist]).index();
-            let told = held.slacks[wrist].at_least(0.0).select(*first, first.all(f64::NAN));
+            let first_or_nan = held.slacks[wrist].at_least(0.0).select(*first, first.all(f64::NAN));
             self.has[index] = true;
             let [fourth, fifth, sixth] = wrists[wrist];
-            self.found[index] = [told, second, forearm - second, fourth, fifth, sixth];
+            self.found[index] = [first_or_nan, second, forearm - second, fourth, fifth, sixth];
         }
     }
 }

@@ -120,7 +120,7 @@ impl Rows<'_> {
     /// The posterior of a level, from a state near it; scale and noise by the fixed point of their evidence.
     pub(super) fn fitted(&self, level: Option<Level>, start: &State, noise: f64) -> Option<Fitted> {
         const ROUNDS: usize = 12;
-        /// Of scale and noise, relative: below it nothing that is told changes.
+        /// Of scale and noise, relative: below it nothing that is reported changes.
         const SETTLED: f64 = 1e-3;
         let (mut scale, mut noise) = (0.5e-3, noise.max(LEAST_NOISE));
         let mut state = State { parameters: vec![0.0; ALL], ..start.clone() };
@@ -206,10 +206,14 @@ mod tests {
         assert!(((squares + of_prior) / cost[0] - 1.0).abs() < 1e-10, "{squares} and {of_prior}, not {}", cost[0]);
         // In parts of what each may be, 1e-8 m at most: shifts of the whole arm are held by the prior alone, and SciPy's differences leave
         // the slope there at some 1e-6 of it.
-        for (i, ((found, told), tau)) in state.parameters.iter().zip(&errors).zip(&prior).enumerate() {
-            assert!((found - told).abs() < 3e-5 * tau, "parameter {i}: {found} {told}");
+        for (i, ((found, expected), tau)) in state.parameters.iter().zip(&errors).zip(&prior).enumerate() {
+            assert!((found - expected).abs() < 3e-5 * tau, "parameter {i}: {found} {expected}");
         }
         let found = state.points.iter().flat_map(|point| point.iter());
-        assert!(found.zip(&points).all(|(found, told)| (found - told).abs() < 1e-8), "{:?} {points:?}", state.points);
+        assert!(
+            found.zip(&points).all(|(found, expected)| (found - expected).abs() < 1e-8),
+            "{:?} {points:?}",
+            state.points
+        );
     }
 }

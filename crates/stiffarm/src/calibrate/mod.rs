@@ -42,7 +42,7 @@ const MOST_OFF: f64 = 10e-3;
 pub struct CalibrateOptions {
     /// How much may differ; the level with the largest evidence where `None`.
     pub level: Option<Level>,
-    /// Where the error that remains is told.
+    /// Where the error that remains is reported.
     pub work: Work,
     /// With which arm the controller computed while it was measured, for the robot file.
     pub controller: Option<ControllerModel>,
@@ -345,7 +345,7 @@ fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
     }
 }
 
-/// Points of a row that all are wrong are told as one.
+/// Points of a row that all are wrong are reported as one.
 fn wrong_rows(wrong: &[(usize, usize, f64)], sights: &[Sight], lines: &[usize]) -> Vec<WrongRow> {
     let mut found: Vec<WrongRow> = Vec::new();
     for (row, point, distance) in wrong {

@@ -14,7 +14,7 @@ pub struct Fault {
 }
 
 /// A message tells no more faults than this; who has mended them sees the next.
-const MOST_TOLD: usize = 20;
+const MOST_SHOWN: usize = 20;
 
 /// Every fault of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,12 +27,12 @@ pub struct Faults {
 
 impl fmt::Display for Faults {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for (i, Fault { line, key, message }) in self.faults.iter().take(MOST_TOLD).enumerate() {
+        for (i, Fault { line, key, message }) in self.faults.iter().take(MOST_SHOWN).enumerate() {
             let end = if i == 0 { "" } else { "\n" };
             let colon = if key.is_empty() { "" } else { ": " };
             write!(f, "{end}{}:{line}: {key}{colon}{message}", self.file)?;
         }
-        match self.faults.len().saturating_sub(MOST_TOLD) {
+        match self.faults.len().saturating_sub(MOST_SHOWN) {
             0 => Ok(()),
             more => write!(f, "\n{}: and {more} faults more", self.file),
         }

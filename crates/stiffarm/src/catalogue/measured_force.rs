@@ -158,8 +158,9 @@ mod tests {
             (process.to_owned(), table.replace("50;1;2;3;4;b\n", ""), "f.csv:1: 1 rows; expected at least 2"),
             (process.to_owned(), table.replace(";b", ""), "f.csv:4: row 2: 5 cells; expected 6, as many as headings"),
         ] {
-            let told = read(&process, &table).err().unwrap_or_else(|| panic!("{process} {table} is read")).to_string();
-            assert!(told.contains(says), "{told}\n{says}");
+            let message =
+                read(&process, &table).err().unwrap_or_else(|| panic!("{process} {table} is read")).to_string();
+            assert!(message.contains(says), "{message}\n{says}");
         }
         let alone = read_process(process, "p").unwrap_err().to_string();
         assert!(alone.contains("there is no file f.csv beside it"), "{alone}");

@@ -367,8 +367,8 @@ mod tests {
             ("rotation = \"up\"\n[worst]\nforce_n = 1".into(), "rotation: \"up\" is not known"),
             ("a = [".into(), "p:1: "),
         ] {
-            let told = read_process(&text, "p").err().unwrap_or_else(|| panic!("{text} is read")).to_string();
-            assert!(told.contains(says), "{told}\n{says}");
+            let message = read_process(&text, "p").err().unwrap_or_else(|| panic!("{text} is read")).to_string();
+            assert!(message.contains(says), "{message}\n{says}");
         }
     }
 }

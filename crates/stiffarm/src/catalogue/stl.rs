@@ -111,10 +111,10 @@ fn corners(bytes: &[u8]) -> Result<(Corners, Vec<String>), StlWhy> {
     if MOST_STL_BYTES < bytes.len() {
         return Err(StlWhy::Large);
     }
-    let told = bytes.get(80..HEAD).map(|count| u32::from_le_bytes([count[0], count[1], count[2], count[3]]));
+    let stated = bytes.get(80..HEAD).map(|count| u32::from_le_bytes([count[0], count[1], count[2], count[3]]));
     // What is as long as its triangles take is binary, even where it begins as text does.
     let takes = |count: u32| HEAD as u64 + u64::from(count) * TRIANGLE as u64;
-    let is_binary = told.is_some_and(|count| takes(count) == bytes.len() as u64);
+    let is_binary = stated.is_some_and(|count| takes(count) == bytes.len() as u64);
     if !is_binary && text.get(..SOLID.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(SOLID)) {
         return Ok((as_text(text, bytes)?, Vec::new()));
     }
@@ -130,7 +130,7 @@ fn corners(bytes: &[u8]) -> Result<(Corners, Vec<String>), StlWhy> {
             return Err(what);
         }
     }
-    let Some(count) = told else {
+    let Some(count) = stated else {
         return Err(StlWhy::NoStl(
             "it neither begins with `solid` nor has the 84 bytes before binary triangles".into(),
         ));
@@ -355,8 +355,8 @@ mod tests {
         let line = |bytes: &[u8]| why(bytes).to_string();
         assert!(line(b"solid\nfacet normal 0 0 x\n").contains("line 2, `facet normal 0 0 x`"));
         let odd = String::from_utf8(cut.clone()).unwrap().replacen("vertex 1 1 0", "vertex 1 1 zero", 1);
-        let told = line(format!("\n{odd}").as_bytes());
-        assert!(told.starts_with("it is no STL file: line 7, `vertex 1 1 zero`: "), "{told}");
+        let message = line(format!("\n{odd}").as_bytes());
+        assert!(message.starts_with("it is no STL file: line 7, `vertex 1 1 zero`: "), "{message}");
         let many = [vec![b' '; 80], u32::MAX.to_le_bytes().to_vec(), vec![0; 100]].concat();
         assert!(matches!(why(&many), StlWhy::CutOff { .. }));
     }

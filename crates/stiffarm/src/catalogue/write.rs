@@ -216,9 +216,9 @@ impl Text {
             self.text("date", date);
         }
         self.entry("residual_mm", &millimetres(identified.residual));
-        for (key, told) in [("left_out_mm", identified.left_out), ("moved_mm", identified.moved)] {
-            if let Some(told) = told {
-                self.entry(key, &millimetres(told));
+        for (key, length) in [("left_out_mm", identified.left_out), ("moved_mm", identified.moved)] {
+            if let Some(length) = length {
+                self.entry(key, &millimetres(length));
             }
         }
     }

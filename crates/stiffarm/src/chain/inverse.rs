@@ -68,7 +68,7 @@ impl TrueArm {
             let share = (LARGEST_STEP / step.amax()).min(1.0);
             let next: [f64; 6] = std::array::from_fn(|i| psi[i] + share * step[i]);
             if is_reached(&off) {
-                // Once more: where the pose tells little of a joint, it is told by all that there is.
+                // Once more: where the pose tells little of a joint, all that there is decides it.
                 return Some(if step.amax() <= SETTLED { next } else { psi });
             }
             psi = next;
@@ -79,7 +79,7 @@ impl TrueArm {
 
 /// How far one placement is from another, m and rad, as a shift and a turn in base axes.
 fn off((to, turned): &Placement, (at, turn): &Placement) -> Vector6<f64> {
-    /// Of the sine of the angle: what is nearer to half a turn is told by the quaternion.
+    /// Of the sine of the angle: the quaternion gives what is nearer to half a turn.
     const NEAR: f64 = 0.5;
     let shift = to - at;
     let rest = turned * turn.transpose();

@@ -245,7 +245,7 @@ impl Curve {
     /// `a = 1/mu` where `mu` is real and positive. \[Pan\] `None` beyond [`LONGEST`].
     pub fn without_delay(&self) -> Option<Edge> {
         let edge = |mu: f64, w: f64| (0.0 < mu).then(|| Edge { depth: 1.0 / mu, frequency: w / TAU });
-        // Of what was measured at the tip of an arm nothing is told at rest.
+        // Of what was measured at the tip of an arm nothing is known at rest.
         let first = self.nodes.iter().take_while(|node| node.w == 0.0);
         let at_rest = first.flat_map(|node| node.mu).filter(|mu| mu.im == 0.0).filter_map(|mu| edge(mu.re, 0.0));
         let pairs = self.nodes.windows(2).flat_map(|pair| [0, 1].map(|i| (pair[0], pair[1], i)));

@@ -23,7 +23,7 @@ pub struct Cut {
     pub spindle: f64,
 }
 
-/// Why nothing is told of whether a cut swings.
+/// Why it cannot be computed whether a cut swings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ChatterError {
     /// The robot, its posture, tool or damping.

@@ -41,7 +41,7 @@ impl DepthSpread {
 pub(super) struct Draws<'a>(Vec<Motion>, &'a Tip);
 
 impl<'a> Draws<'a> {
-    /// Drives by what is told of the robot, at their value where nothing is; damping by what is measured of such arms, unless it is given.
+    /// Drives by what is known of the robot, at their value where nothing is; damping by what is measured of such arms, unless it is given.
     pub(super) fn of(robot: &Robot, swing: &Swing, tip: &'a Tip, damping_is_given: bool, count: usize) -> Self {
         // Where nothing is drawn all draws are one.
         let count = if damping_is_given && factors(robot, 1).is_none() { 1 } else { count };

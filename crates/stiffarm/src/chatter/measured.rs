@@ -1,4 +1,4 @@
-//! What was measured at a tip: how it answers a force that swings, told mode by mode or frequency by frequency.
+//! What was measured at a tip: how it answers a force that swings, given mode by mode or frequency by frequency.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use crate::modes::Motion;
 
 /// Im G of a driving point may be more than zero by this share of |G|, and be noise.
 const NOISE: f64 = 0.05;
-/// From row to row a response that is told finely enough moves by less than this share of its largest.
+/// From row to row a response that is sampled finely enough moves by less than this share of its largest.
 const FINE: f64 = 0.25;
 
 /// What held the tip while it was measured.
@@ -93,7 +93,7 @@ impl Samples {
         self
     }
 
-    /// The same in axes whose columns are told in the axes that it has.
+    /// The same in axes whose columns are given in the axes that it has.
     #[must_use]
     pub fn seen_along(mut self, axes: &Matrix3<f64>) -> Self {
         let axes = axes.map(|x| Complex::new(x, 0.0));
@@ -146,7 +146,8 @@ impl Samples {
         (0..self.own.len()).filter(is_negative).count()
     }
 
-    /// Between which frequencies, Hz, the response moves most from row to row, and by which share of its largest, where that is too much to be told.
+    /// Between which frequencies, Hz, the response moves most from row to row, and by which share of its largest,
+    /// where that is too much for the response to be known.
     pub fn coarsest(&self) -> Option<([f64; 2], f64)> {
         let largest = self.receptance.iter().map(Matrix3::norm).fold(0.0, f64::max);
         let step = |row: usize| (self.receptance[row + 1] - self.receptance[row]).norm() / largest;
@@ -186,9 +187,9 @@ impl Samples {
 pub struct Looked {
     /// What held it.
     pub held_by: HeldBy,
-    /// Its modes, Hz; empty where it is told frequency by frequency.
+    /// Its modes, Hz; empty where it is given frequency by frequency.
     pub modes: Vec<f64>,
-    /// Between which frequencies it is told, Hz; `None` of modes.
+    /// Between which frequencies it is given, Hz; `None` of modes.
     pub between: Option<[f64; 2]>,
     /// The frequencies of the table lie too far apart to tell its peaks.
     pub is_coarse: bool,

@@ -1,8 +1,9 @@
 //! Verb: does a cut swing, and how deep may it go? The modes of the arm, and a delay from tooth to tooth.
 //!
-//! A tooth cuts what the one before it left: `f = a A (x(t) - x(t - T))`. Told are the least depth that swings at the speed of the spindle, the one
-//! that swings at no speed, and Pan's, which leaves the delay out. Modes of spindle and tool are known where they were measured, those of the work
-//! never: nothing that this says is a promise above the highest mode that was looked at (\[theory\], section 13).
+//! A tooth cuts what the one before it left: `f = a A (x(t) - x(t - T))`. The answer gives the least depth that swings at the speed
+//! of the spindle, the one that swings at no speed, and Pan's, which leaves the delay out. Modes of spindle and tool are known where they
+//! were measured, those of the work never: nothing that this says is a promise above the highest mode that was looked at (\[theory\],
+//! section 13).
 
 mod advice;
 mod curve;
@@ -86,7 +87,7 @@ pub struct Lobe {
     pub spread: Option<DepthSpread>,
 }
 
-/// What is told of a cut.
+/// What is reported of a cut.
 #[derive(Clone, Debug)]
 pub struct Chatter {
     /// The tool frame in the base frame.

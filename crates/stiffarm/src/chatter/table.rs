@@ -24,7 +24,7 @@ const EXPECTED: &str = "freq_hz and gxx_re, gxx_im, gyy_re, gyy_im .. gzz_im (m/
 pub struct ResponseFile {
     /// How it answers.
     pub response: Response,
-    /// How it was understood: what is not in the table, what is not told finely enough, where the damping is negative.
+    /// How it was understood: what is not in the table, what is not sampled finely enough, where the damping is negative.
     pub remarks: Vec<String>,
 }
 
@@ -139,8 +139,8 @@ impl<'a> Reader<'a> {
             };
             if !(SHORTEST <= Vector3::from(mode.direction).norm()) {
                 let [x, y, z] = mode.direction;
-                let told = format!("{x:?}, {y:?}, {z:?}; expected the direction in which the tip moves, of length one or so");
-                return Err(fault(line, "ux", told));
+                let message = format!("{x:?}, {y:?}, {z:?}; expected the direction in which the tip moves, of length one or so");
+                return Err(fault(line, "ux", message));
             }
             modes.push(mode);
             Ok(())
@@ -182,8 +182,8 @@ impl<'a> Reader<'a> {
         let count = self.rows(MOST_ROWS, |line, number| {
             let hertz = number(frequency, [0.0, 1e5], "a frequency from 0 to 100000 Hz")?;
             if rows.last().is_some_and(|(before, _)| !(*before < hertz)) {
-                let told = format!("{hertz} Hz does not lie above the row before; expected rising frequencies");
-                return Err(fault(line, "freq_hz", told));
+                let message = format!("{hertz} Hz does not lie above the row before; expected rising frequencies");
+                return Err(fault(line, "freq_hz", message));
             }
             let mut receptance = Matrix3::zeros();
             for (row, parts) in parts.iter().enumerate() {
@@ -200,10 +200,10 @@ impl<'a> Reader<'a> {
         let samples = Samples::new(rows).filter(|_| FEWEST_ROWS <= count).ok_or_else(few)?;
         if let Some(axis) = samples.gives_energy().first() {
             let name = format!("g{0}{0}_im", AXES[*axis]);
-            let told =
+            let message =
                 "more than 0 at the largest answer: a tip that gives energy; expected less than 0, as e^(i w t) has it"
                     .into();
-            return Err(fault(1, &name, told));
+            return Err(fault(1, &name, message));
         }
         check(&samples)?;
         Ok(ResponseFile { remarks: self.remarks(&samples, &parts), response: Response::Samples(samples) })
@@ -242,18 +242,18 @@ fn check(samples: &Samples) -> Result<(), Fault> {
         return Err(fault(1, &of(axis, "_re"), "0 at every frequency; expected how the tip gives way".into()));
     }
     if NOISY * (count as f64) < negative as f64 {
-        let told = format!(
+        let message = format!(
             "at {negative} of {count} frequencies the damping is negative; expected displacement over force, which lags, and neither velocity nor acceleration"
         );
-        return Err(fault(1, "", told));
+        return Err(fault(1, "", message));
     }
     if let Some(axis) = samples.begins_late() {
-        let told = "not more than 0 in the first row: the table begins above a resonance; expected it to begin below the first one";
-        return Err(fault(1, &of(axis, "_re"), told.into()));
+        let message = "not more than 0 in the first row: the table begins above a resonance; expected it to begin below the first one";
+        return Err(fault(1, &of(axis, "_re"), message.into()));
     }
     if let Some(axis) = samples.ends_early() {
-        let told = "in the last row more than half of the answer in the first: the table ends before the modes do; expected it to go on until the answer has fallen";
-        return Err(fault(1, &of(axis, "_re"), told.into()));
+        let message = "in the last row more than half of the answer in the first: the table ends before the modes do; expected it to go on until the answer has fallen";
+        return Err(fault(1, &of(axis, "_re"), message.into()));
     }
     Ok(())
 }

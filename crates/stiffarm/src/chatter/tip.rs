@@ -19,7 +19,7 @@ const MASSLESS: f64 = 1e-3;
 pub(super) struct Tip {
     /// Feed, left and away as columns, base axes.
     pub axes: Matrix3<f64>,
-    /// All modes, as they are told.
+    /// All modes, as they are reported.
     pub motion: Motion,
     /// Those that were measured.
     modes: Option<Motion>,
@@ -56,7 +56,7 @@ impl Tip {
         }
     }
 
-    /// The same seen along other axes, whose columns are told in those of the cut.
+    /// The same seen along other axes, whose columns are given in those of the cut.
     pub(super) fn seen_along(&self, axes: &Matrix3<f64>) -> Self {
         Self {
             axes: self.axes * axes,

@@ -162,10 +162,13 @@ mod tests {
             let nearest = |about| arm.nearest(&theta, (about, 0), Looked::ALL).unwrap().distance;
             let wide = arm.nearest_wide(&theta, (&floored, 0), Looked::ALL).map(|near| near.distance);
             let found = [nearest(&Surroundings::default()), wide.unwrap_or_else(|| nearest(&floored))];
-            let told = [links, if wide.is_some() { floor } else { links.min(floor) }];
+            let expected = [links, if wide.is_some() { floor } else { links.min(floor) }];
             assert_eq!(wide.is_some(), 2 * ENCLOSED <= i);
             // As many digits as are written.
-            assert!(found.iter().zip(told).all(|(a, b)| (a - b).abs() < 1e-9), "{name} {angles}: {found:?} {told:?}");
+            assert!(
+                found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9),
+                "{name} {angles}: {found:?} {expected:?}"
+            );
             overlaps += usize::from(links < 0.0);
         }
         assert_eq!(overlaps, 3);
@@ -224,7 +227,7 @@ mod tests {
 
     /// By the capsules that enclose them, at model zero, against the slim ones of arms of their payload and reach.
     #[test]
-    fn nine_known_arms_in_ten_stand_out_of_slim_links_by_no_more_than_is_told() {
+    fn nine_known_arms_in_ten_stand_out_of_slim_links_by_no_more_than_is_stated() {
         const NAMES: [Link; 4] = [Link::Column, Link::UpperArm, Link::Forearm, Link::Wrist];
         let mut parts: [Vec<f64>; 4] = Default::default();
         for robot in known() {

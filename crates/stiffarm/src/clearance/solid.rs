@@ -12,7 +12,7 @@ use crate::tolerances;
 
 /// The work is a sheet of this thickness, m, behind its surface.
 const SHEET: f64 = 1e-3;
-/// Solids farther apart than this, m, are told to be so far apart.
+/// Solids farther apart than this, m, are reported to be so far apart.
 const FAR: f64 = 1e3;
 /// How far something is drawn back is known to this, m.
 const DRAWN: f64 = 1e-5;

@@ -105,7 +105,7 @@ impl Link {
         match self.ends {
             Ends::Round => found - self.capsule.radius,
             Ends::Flat if 0.0 < found => found,
-            // How deep is told by its line.
+            // Its line gives how deep.
             Ends::Flat => found.min(apart(&Pose::identity(), &self.capsule.segment()) - self.capsule.radius),
         }
     }
@@ -196,7 +196,7 @@ mod tests {
             nothing += usize::from(flat.is_none());
             overlaps += usize::from(flat.is_some_and(|flat| flat <= 0.0));
             apart += usize::from(flat.is_some_and(|flat| 0.0 < flat));
-            // What is thinner at its ends is no nearer; and no point of it is nearer than is told.
+            // What is thinner at its ends is no nearer; and no point of it is nearer than is reported.
             assert!(flat.unwrap_or(most) >= round.min(most) - 1e-7);
             let axis = (capsule.ends[1] - capsule.ends[0]).normalize();
             let across = axis.cross(&Vector3::new(0.3, 0.5, 0.8)).normalize();

@@ -110,10 +110,10 @@ mod tests {
         assert_eq!((measured.at(1.0).unwrap().0, measured.at(4.0).unwrap().0), ([0.0, 10.0, 4.0], [8.0, -10.0, 0.0]));
         assert_eq!((measured.at(0.999), measured.at(4.001), measured.at(f64::NAN)), (None, None, None));
         // By hand: areas of trapezia over 3 m.
-        let told = measured.force();
-        assert_eq!(told.mean, Some([(4.0 + 16.0) / 3.0, 10.0 / 3.0, 2.0 / 3.0]));
-        assert_eq!(told.range, Some([[0.0, -10.0, 0.0], [8.0, 10.0, 4.0]]));
-        assert!((told.moment - 5.0 / 3.0).abs() < 1e-15 && (told.largest - 164.0_f64.sqrt()).abs() < 1e-12);
+        let force = measured.force();
+        assert_eq!(force.mean, Some([(4.0 + 16.0) / 3.0, 10.0 / 3.0, 2.0 / 3.0]));
+        assert_eq!(force.range, Some([[0.0, -10.0, 0.0], [8.0, 10.0, 4.0]]));
+        assert!((force.moment - 5.0 / 3.0).abs() < 1e-15 && (force.largest - 164.0_f64.sqrt()).abs() < 1e-12);
         assert_eq!(Measured::new(Along::Way, MeasuredAxes::Cut, vec![rows[0]]), None);
         assert_eq!(Measured::new(Along::Way, MeasuredAxes::Cut, vec![rows[0], rows[0]]), None);
     }

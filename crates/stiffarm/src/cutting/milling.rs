@@ -337,8 +337,8 @@ mod tests {
                 let found = one.force(1.0).unwrap();
                 let expected = 40.0 * (teeth / apart) as f64;
                 let [low, high] = found.range.unwrap();
-                for told in [low[2], high[2], found.largest, found.mean.unwrap()[2]] {
-                    assert!((told - expected).abs() < 1e-9, "{side:?}, {teeth} teeth: {told} is not {expected}");
+                for value in [low[2], high[2], found.largest, found.mean.unwrap()[2]] {
+                    assert!((value - expected).abs() < 1e-9, "{side:?}, {teeth} teeth: {value} is not {expected}");
                 }
                 assert!(found.revolution.iter().all(|force| (force[2] - expected).abs() < 1e-9), "{teeth} teeth");
             }

@@ -22,7 +22,7 @@ const MOST: f64 = 1e6;
 /// What cuts, or presses, and how: everything in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Process {
-    /// Of the spindle, rad/s; nothing needs it but power and what is told of time.
+    /// Of the spindle, rad/s; nothing needs it but power and what is reported of time.
     pub spindle: Option<f64>,
     /// Turns clockwise, seen from the spindle, as right-hand tools do.
     pub is_clockwise: bool,

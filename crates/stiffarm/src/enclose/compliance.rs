@@ -223,8 +223,8 @@ fn add_worst_bounds<const N: usize>(drives: &[(Affine<N>, Vector<N>); 6], bounds
 fn softest(compliance: &Matrix3<f64>) -> Vec<Vector3<f64>> {
     let values = eigenvalues(compliance);
     let counted = values.iter().filter(|value| SECOND * values[0] <= **value);
-    let told: Option<_> = counted.map(|value| eigenvector(compliance, *value)).collect();
-    told.unwrap_or_else(|| {
+    let directions: Option<_> = counted.map(|value| eigenvector(compliance, *value)).collect();
+    directions.unwrap_or_else(|| {
         let eigen = SymmetricEigen::new(*compliance);
         let all = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter());
         all.filter(|(value, _)| SECOND * values[0] <= **value).map(|(_, direction)| direction.into_owned()).collect()

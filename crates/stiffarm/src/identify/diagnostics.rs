@@ -1,4 +1,4 @@
-//! What is told of a fit besides its values: what is seen worst, what remains where, and which readings do not fit.
+//! What is reported of a fit besides its values: what is seen worst, what remains where, and which readings do not fit.
 
 use nalgebra::{DVector, Vector3};
 

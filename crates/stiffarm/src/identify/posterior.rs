@@ -87,7 +87,7 @@ struct Gaussian {
 #[derive(Clone, Copy)]
 struct Noise {
     /// By the table, m.
-    told: Option<f64>,
+    given: Option<f64>,
     /// Where a search for it starts, m.
     start: f64,
     /// Times which what remains counts.
@@ -103,7 +103,7 @@ pub(super) fn updated(work: &Work, fitted: Fitted, options: &Options) -> Result<
         covariance: DMatrix::from_column_slice(6, 6, scatter.covariance().as_slice()),
     };
     let clustering = clustering(&spread);
-    let noise = Noise { told: work.noise, start: spread.sigma, clustering };
+    let noise = Noise { given: work.noise, start: spread.sigma, clustering };
     let about = |k: &[f64]| {
         work.watch.go_on()?;
         Ok(work.about(k)?.weighted(&weights))
@@ -149,7 +149,7 @@ fn update(
     let count = prior.mean.len();
     let inverse_root = root.solve_lower_triangular(&DMatrix::identity(count, count)).ok_or(IdentifyError::NotFound)?;
     let mut x = prior.mean.clone();
-    let mut sigma = noise.told.unwrap_or(0.0).max(noise.start * noise.clustering);
+    let mut sigma = noise.given.unwrap_or(0.0).max(noise.start * noise.clustering);
     for _ in 0..STEPS {
         let k = x.map(f64::exp);
         let System { a, y } = about(k.as_slice())?;
@@ -179,7 +179,7 @@ fn update(
         // As many drives as the measurements decide count as fitted.
         let decided = (r.tr_mul(&r) * &covariance).trace() / (least * least);
         let remains = (missed.norm_squared() / (rows as f64 - decided)).sqrt() * noise.clustering;
-        let next = noise.told.unwrap_or(0.0).max(remains);
+        let next = noise.given.unwrap_or(0.0).max(remains);
         let is_settled = step.amax() < SETTLED && (next.max(FINEST) - least).abs() <= SETTLED * least;
         if is_settled {
             return Ok((Gaussian { mean: x, covariance }, sigma));
@@ -243,7 +243,7 @@ mod tests {
     }
 
     /// Laplace's law is that of the mode. Of one drive `|y - a e^x|^2 / 2 sigma^2` has the derivatives `1 / sd^2` and `3 / sd^2` there, so that the
-    /// mean lies `3 / 2 sd^2` below it; of two that are told together somewhat more.
+    /// mean lies `3 / 2 sd^2` below it; of two that are identified together somewhat more.
     #[test]
     fn two_drives_have_the_law_that_quadrature_has() {
         let mut rng = fastrand::Rng::with_seed(3);
@@ -257,7 +257,7 @@ mod tests {
             let truth = DVector::from_vec(vec![1.4, 0.6]);
             let y = &a * &truth + DVector::from_fn(12, |_, _| 0.3 * (rng.f64() - 0.5));
             let system = System { a, y };
-            let noise = Noise { told: Some(0.15), start: 0.0, clustering: 1.0 };
+            let noise = Noise { given: Some(0.15), start: 0.0, clustering: 1.0 };
             let (found, sigma) = update(&prior, noise, |_| Ok(system.clone())).unwrap();
             let (mode, mean, covariance) = by_quadrature(&prior, &system, sigma);
             for i in 0..2 {
@@ -280,10 +280,10 @@ mod tests {
         let a = random(&mut rng, 3000);
         let y = &a * DVector::from_vec(vec![0.5, 3.0]) + DVector::from_fn(3000, |_, _| 0.02 * (rng.f64() - 0.5));
         let system = System { a, y };
-        let deaf = Noise { told: Some(1e9), start: 0.0, clustering: 1.0 };
+        let deaf = Noise { given: Some(1e9), start: 0.0, clustering: 1.0 };
         let (found, _) = update(&prior, deaf, |_| Ok(system.clone())).unwrap();
         assert!((&found.mean - &prior.mean).amax() < 1e-9 && (&found.covariance - &prior.covariance).amax() < 1e-9);
-        let (found, sigma) = update(&prior, Noise { told: None, ..deaf }, |_| Ok(system.clone())).unwrap();
+        let (found, sigma) = update(&prior, Noise { given: None, ..deaf }, |_| Ok(system.clone())).unwrap();
         let least = system.a.clone().svd(true, true).solve(&system.y, 1e-14).unwrap();
         // A part of the prior's pull: its precision over that of the rows, some 1e-6.
         assert!((found.mean.map(f64::exp) - &least).amax() < 1e-4, "{:?} {least:?}", found.mean);
@@ -296,7 +296,7 @@ mod tests {
         assert!((sigma / (0.02 / 12.0_f64.sqrt()) - 1.0).abs() < 0.05, "{sigma}");
     }
 
-    /// Nothing is told of the second drive: what moves it is the factor that it shares with the first, by the regression of one on the other.
+    /// No row shows the second drive: what moves it is the factor that it shares with the first, by the regression of one on the other.
     #[test]
     fn a_drive_that_no_row_shows_moves_with_the_common_factor_alone() {
         let prior =
@@ -305,7 +305,7 @@ mod tests {
             a: DMatrix::from_row_slice(3, 2, &[1.0, 0.0, 1.0, 0.0, 1.0, 0.0]),
             y: DVector::from_element(3, 2.0),
         };
-        let noise = Noise { told: Some(1e-4), start: 0.0, clustering: 1.0 };
+        let noise = Noise { given: Some(1e-4), start: 0.0, clustering: 1.0 };
         let (found, _) = update(&prior, noise, |_| Ok(system.clone())).unwrap();
         // By hand: ln 2 for the first, 0.12 / 0.36 of that for the second, whose variance is 0.25 - 0.12^2 / 0.36 = 0.21.
         assert!((found.mean[0] - 2.0_f64.ln()).abs() < 1e-6 && (found.mean[1] - 2.0_f64.ln() / 3.0).abs() < 1e-6);

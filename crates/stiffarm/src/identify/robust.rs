@@ -102,7 +102,7 @@ mod tests {
         assert!(weights.iter().filter(|weight| **weight < 0.5).count() == 3, "{weights:?}");
         let pulled = |column: usize| (0..90).map(|i| weights[i / 3] * a[(i, column)] * missed[i]).sum::<f64>();
         assert!((0..4).all(|column| pulled(column).abs() < 1e-7 * y.norm()));
-        assert!(found.weights.iter().zip(&weights).all(|(told, expected)| (told - expected).abs() < 1e-6));
+        assert!(found.weights.iter().zip(&weights).all(|(weight, expected)| (weight - expected).abs() < 1e-6));
         assert!((DVector::from_column_slice(&found.values) - truth).amax() < 0.03);
     }
 }

@@ -37,7 +37,7 @@ pub(super) struct Work<'a> {
     regions: Vec<[f64; 2]>,
     /// By its noise, mean square 1.
     pub weights: Vec<f64>,
-    /// Of the noise that is told, m.
+    /// Of the noise that the table gives, m.
     pub noise: Option<f64>,
     /// What every spring has where nothing is identified.
     pub assumed: Vec<f64>,
@@ -368,16 +368,16 @@ impl<'a> Work<'a> {
             })
             .collect();
         let more = if MOST < rows.len() { format!(" and {} more", rows.len() - MOST) } else { String::new() };
-        let told = rows.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+        let shown = rows.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
         (!rows.is_empty()).then(|| {
             format!(
-                "joint angles beyond the limits of {} in the rows {told}{more}: are these the angles that it reports?",
+                "joint angles beyond the limits of {} in the rows {shown}{more}: are these the angles that it reports?",
                 self.robot.name
             )
         })
     }
 
-    /// Everything that is told of a fit besides its values; what the caller knows is left at nothing.
+    /// Everything that is reported of a fit besides its values; what the caller knows is left at nothing.
     fn fit_of(
         &self,
         unknowns: &[usize],

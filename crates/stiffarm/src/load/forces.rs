@@ -250,7 +250,7 @@ mod tests {
 
     /// Forces at even steps of both angles: never more, and hardly less where the steps are fine.
     #[test]
-    fn no_force_of_the_band_does_more_and_the_one_that_is_told_does_it() {
+    fn no_force_of_the_band_does_more_and_the_one_that_is_reported_does_it() {
         let mut rng = fastrand::Rng::with_seed(61);
         for case in 0..840 {
             let (c, axis, other) = (compliance(&mut rng, case), unit(&mut rng), unit(&mut rng));

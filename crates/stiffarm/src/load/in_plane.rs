@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::{Component, Direction, Load, NotInPlane};
 
-/// Directions of a force in the arm plane: within an angle of one of them; what counts is told by the load.
+/// Directions of a force in the arm plane: within an angle of one of them; the load says what counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sector {
     /// The one in the middle, length one: forwards, up.

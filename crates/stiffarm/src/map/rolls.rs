@@ -20,11 +20,11 @@ const PARTS: usize = 5;
 const DEPTH: usize = 5;
 /// Cosine of what joints 1 and 4 may turn in a gap, 25 degrees, before nothing is smooth there.
 const SMOOTH: f64 = 0.9;
-/// A better value by less than this, relative, is not looked for. With what second differences miss, and with [`ROOM`], the value told
+/// A better value by less than this, relative, is not looked for. With what second differences miss, and with [`ROOM`], the value reported
 /// is the least of all rolls to `ROLL_TOLERANCE`.
 const WORTH: f64 = 3e-4;
 /// So much more than the least, relative, is taken for as much room to the limits as there can be, and less for less: where nearly all
-/// rolls are equally good, the one told would else be a matter of rounding, and neighbours would tell others.
+/// rolls are equally good, the one reported would else be a matter of rounding, and neighbours would report others.
 const ROOM: f64 = 4e-4;
 /// Values that agree so well, relative, are equal: where two eigenvalues nearly agree, no more digits are known.
 const EQUAL: f64 = 1e-7;
@@ -201,10 +201,10 @@ impl Search<'_> {
     }
 }
 
-/// What is least at the roll that is told: the deflection, and a little for what is missing of the most room; infinite where the limits forbid
-/// it.
+/// What is least at the roll that is reported: the deflection, and a little for what is missing of the most room; infinite where the
+/// limits forbid it.
 fn cost(at: &AtRoll, index: usize) -> f64 {
-    // Room is told as differences of cosines, at most 2.
+    // Room is given as differences of cosines, at most 2.
     let room = 0.5 * at.slack[index].min(2.0);
     if 0.0 <= room { at.worst[index] * (1.0 + ROOM * (1.0 - room)) } else { f64::INFINITY }
 }
@@ -303,8 +303,8 @@ mod tests {
                 assert!(worst <= least * (1.0 + ROLL_TOLERANCE), "{} {i} {j}: {worst} {least}", robot.name);
                 if let Some(q) = found.joints(i, j) {
                     reached_by_some += 1;
-                    let told = compliance(robot, &q, &tool).unwrap().compliance.worst().0 * 1000.0;
-                    assert!((told - worst).abs() <= 1e-6 * worst, "{} {i} {j}: {worst} {told}", robot.name);
+                    let expected = compliance(robot, &q, &tool).unwrap().compliance.worst().0 * 1000.0;
+                    assert!((expected - worst).abs() <= 1e-6 * worst, "{} {i} {j}: {worst} {expected}", robot.name);
                 }
             }
         }
@@ -317,9 +317,9 @@ mod tests {
         let (x, z) = (Axis { start: 0.7, step: 1e-4, count: 60 }, Axis { start: 0.6, step: 1e-4, count: 2 });
         let found = Mapped::of(&robot, [x, z], &Pose::translation(0.1, 0.0, 0.2), 0.0).map.space.unwrap();
         for map in [&found.limits, &found.singular] {
-            let told: Vec<f64> = map.row(0).map(Option::unwrap).collect();
+            let margins: Vec<f64> = map.row(0).map(Option::unwrap).collect();
             // Seven radians a metre and less: the posture of a point 0.1 mm away.
-            assert!(told.windows(2).all(|pair| (pair[0] - pair[1]).abs() < 7e-4), "{told:?}");
+            assert!(margins.windows(2).all(|pair| (pair[0] - pair[1]).abs() < 7e-4), "{margins:?}");
         }
     }
 }

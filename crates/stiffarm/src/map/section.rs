@@ -17,12 +17,13 @@ use crate::tolerances;
 use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{WorkPlacement, WorkPlane};
 
-/// Where any roll will do and they differ, the deflection told is at most so much, relative, above that of the best roll.
+/// Where any roll will do and they differ, the deflection reported is at most so much, relative, above that of the best roll.
 pub const ROLL_TOLERANCE: f64 = 1e-3;
-/// Values that agree so well, relative, are equal, and the posture with more room to its limits is told.
+/// Values that agree so well, relative, are equal, and the posture with more room to its limits is reported.
 const EQUAL: f64 = 1e-12;
 
-/// Room to limits that agrees so well, rad, is equal: of mirrored ways always the same one is told, not now one and now the other by rounding.
+/// Room to limits that agrees so well, rad, is equal: of mirrored ways always the same one is reported, not now one and now the
+/// other by rounding.
 const MIRRORED: f64 = 1e-4;
 
 /// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead.
@@ -145,7 +146,7 @@ struct Cell {
 impl Cell {
     const NONE: Self = Self { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
 
-    /// Which of two mirrored ways is told: the roll to the left, then the configuration that counts first.
+    /// Which of two mirrored ways is reported: the roll to the left, then the configuration that counts first.
     fn side(&self) -> (bool, usize) {
         self.posture.map_or((true, usize::MAX), |(configuration, roll)| (roll < 0.0, configuration.index()))
     }
@@ -359,7 +360,7 @@ mod tests {
         ];
         let (robot, tool) = (&paper_robots()[4], Pose::translation(0.15, 0.0, 0.1));
         let (x, z) = (Axis::between(0.4, 2.6, 7), Axis::between(0.2, 2.2, 6));
-        let mut told = 0;
+        let mut compared = 0;
         for (n, load) in loads.into_iter().enumerate() {
             let held =
                 HeldPosture { elevation: -FRAC_PI_2 + 0.4 * n as f64, yaw: 0.2, roll: Some(0.3), configuration: None };
@@ -377,24 +378,24 @@ mod tests {
                 let expected = values.reduce(f64::min);
                 assert_eq!(map.get(i, j).is_some(), expected.is_some(), "{load:?} {work:?}");
                 if let (Some(found), Some(expected)) = (map.get(i, j), expected) {
-                    told += 1;
+                    compared += 1;
                     assert!((found - expected).abs() <= 1e-6 * expected, "{load:?} {work:?}: {found} {expected}");
                 }
             }
         }
-        assert!(60 < told, "{told}");
+        assert!(60 < compared, "{compared}");
     }
 
-    /// Joints 4 and 6 turn by two turns and more: whichever of their angles is told, no other number of whole turns leaves more room.
+    /// Joints 4 and 6 turn by two turns and more: whichever of their angles is reported, no other number of whole turns leaves more room.
     #[test]
-    fn the_margin_told_is_that_of_the_turns_with_most_room() {
+    fn the_margin_reported_is_that_of_the_turns_with_most_room() {
         let mut robot = paper_robots().swap_remove(4);
         let crate::robot::Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!("six axes") };
         limits.joints[3] = Interval::spanning(-7.0, 6.0);
         let tool = Pose::translation(0.15, 0.05, 0.1);
         let (x, z) = (Axis::between(0.9, 1.9, 6), Axis::between(0.3, 1.3, 6));
         let held = HeldPosture { elevation: -1.2, roll: Some(0.3), ..HeldPosture::TOOL_DOWN };
-        // Where one posture is told joint 6 has next to no room, and a turn further much.
+        // Where one posture is reported, joint 6 has next to no room, and a turn further much.
         let model = spatial(&robot, &tool);
         let way = section(model.arm(), x, z, Load::UNIT, &held).space.unwrap().at(3, 3).unwrap();
         let [.., sixth] = joints(&model, (Load::UNIT, &held), way, [x.at(3), z.at(3)]).unwrap();
@@ -404,7 +405,7 @@ mod tests {
         let model = spatial(&robot, &tool);
         let map = section(model.arm(), x, z, Load::UNIT, &held);
         let margins = map.space.as_ref().unwrap();
-        let (mut told, mut decided) = (0, 0);
+        let (mut compared, mut decided) = (0, 0);
         for (i, j) in (0..36).map(|cell| (cell % 6, cell / 6)) {
             let Some(way) = margins.at(i, j) else { continue };
             let q = joints(&model, (Load::UNIT, &held), way, [x.at(i), z.at(j)]).unwrap();
@@ -417,10 +418,10 @@ mod tests {
             let expected = rooms.into_iter().fold(links, f64::min);
             let found = margins.limits.get(i, j).unwrap();
             assert!((found - expected).abs() < 1e-9, "{found} {expected} {q:?}");
-            told += 1;
+            compared += 1;
             decided += usize::from(limits.joints[5].room(limits.joints[5].turn_to(q[5], 0.0).unwrap()) < expected);
         }
-        assert!(10 < told && 0 < decided, "{told} {decided}");
+        assert!(10 < compared && 0 < decided, "{compared} {decided}");
     }
 
     #[test]
@@ -439,7 +440,7 @@ mod tests {
             .map(|held| held.1)
             .collect();
         let left = rolls.iter().filter(|roll| 0.0 <= **roll).count();
-        // The best roll may be straight ahead or straight back, told as -180 degrees.
+        // The best roll may be straight ahead or straight back, reported as -180 degrees.
         let straight = rolls.iter().filter(|roll| **roll < -PI + 1e-3).count();
         assert!(300 < rolls.len() && left + straight == rolls.len(), "{left} + {straight} of {}", rolls.len());
     }

@@ -84,7 +84,7 @@ fn the_last_link_moves_as_the_flange_does() {
 }
 
 #[test]
-fn inertias_that_no_body_has_are_told_and_those_of_rods_and_plates_are_not() {
+fn inertias_that_no_body_has_are_reported_and_those_of_rods_and_plates_are_not() {
     let with = |[x, y, z]: [f64; 3]| RigidBody::new(1.0, Vector3::zeros(), [x, 0.0, 0.0, y, 0.0, z]).inertia_fault();
     // A rod along x, a plate across z (I3 = I1 + I2), a point.
     assert_eq!([with([0.0, 1.0, 1.0]), with([1.0, 1.0, 2.0]), with([0.0; 3])], [None, None, None]);

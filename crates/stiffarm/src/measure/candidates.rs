@@ -39,7 +39,7 @@ pub(super) fn postures(
     let ends = limits.joints.map(|range| [range.min().max(-PI), range.max().min(PI)]);
     let posture = |n: usize| {
         let at = halton(n);
-        // To a hundredth of a degree, so that what is told is what is meant.
+        // To a hundredth of a degree, so that what is reported is what is meant.
         let rounded = |angle: f64| ((angle.to_degrees() * 100.0).round() / 100.0).to_radians();
         std::array::from_fn(|i| rounded(ends[i][0] + at[i] * (ends[i][1] - ends[i][0])))
     };

@@ -7,7 +7,8 @@
 //! Two others: the mean variance of the drives in parts of their compliance (A), and the volume of the ellipsoid of those errors (D).
 //!
 //! Shares of many candidates first, `w_i <- w_i sqrt(d_i / phi)` with `d_i = tr(M^-1 W M^-1 M_i)`. As `phi` is convex and of degree -1, every
-//! design `M*` of the candidates has `phi(M*) >= phi^2 / max d`: what is reached is certified. Then whole runs, by exchange, told against the same bound.
+//! design `M*` of the candidates has `phi(M*) >= phi^2 / max d`: what is reached is certified. Then whole runs, by exchange, compared with
+//! the same bound.
 //!
 //! Two more things decide what a plan is worth. What the model misses in a posture it misses however often it is run: `sigma` is that of a reading
 //! and of a posture together, and runs of one posture share the latter (`Repeats`). And a drive that no load shows is as unknown after the runs as it was
@@ -261,10 +262,10 @@ pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) 
     let shares = found.shares(&parts)?;
     let mut postures: Vec<([f64; 6], Matrix6<f64>, usize)> = Vec::new();
     for (q, load) in runs {
-        let told = information(robot, q, load, options)?;
+        let of_run = information(robot, q, load, options)?;
         match postures.iter_mut().find(|(known, ..)| known == q) {
-            Some((_, sum, count)) => (*sum, *count) = (*sum + told, *count + 1),
-            None => postures.push((*q, told, 1)),
+            Some((_, sum, count)) => (*sum, *count) = (*sum + of_run, *count + 1),
+            None => postures.push((*q, of_run, 1)),
         }
     }
     let repeats = options.repeats();
@@ -343,12 +344,12 @@ fn shown_by(
     let mut best = (0.0, None);
     for (name, along) in [("left", Vector3::y()), ("ahead", Vector3::x()), ("down", -Vector3::z())] {
         let load = Wrench::force(along * options.newtons);
-        let mut told = Matrix6::zeros();
+        let mut sum = Matrix6::zeros();
         for q in postures.iter().take(SOME) {
-            told += information(robot, q, &load, options)?;
+            sum += information(robot, q, &load, options)?;
         }
-        let of_drive = told[(drive, drive)];
-        if NOTHING * told.diagonal().max() < of_drive && BETTER * best.0 < of_drive {
+        let of_drive = sum[(drive, drive)];
+        if NOTHING * sum.diagonal().max() < of_drive && BETTER * best.0 < of_drive {
             best = (of_drive, Some(name));
         }
     }

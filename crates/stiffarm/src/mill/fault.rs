@@ -53,7 +53,7 @@ pub enum MillError {
     NothingFeeds,
     /// What counts is not said.
     #[error(
-        "{}no outward normal of the surface is told there; expected a table (CSV) with the columns nx,ny,nz for errors along the normal",
+        "{}no outward normal of the surface is given there; expected a table (CSV) with the columns nx,ny,nz for errors along the normal",
         of_line(*line)
     )]
     NoNormal {
@@ -74,10 +74,10 @@ pub enum MillError {
         /// m.
         way: f64,
     },
-    /// Pins leave nothing to a roll that is told otherwise, and nothing is proved of all places with them.
+    /// Pins leave nothing to a roll that is given otherwise, and nothing is proved of all places with them.
     #[error("pinned rolls go with free rolls and a part that stands somewhere")]
     PinnedElse,
-    /// Whether its cuts swing cannot be told.
+    /// Whether its cuts swing cannot be computed.
     #[error("{}{error}", of_line(*line))]
     Chatter {
         /// Of the file; 0 where it is no matter of the path.

@@ -7,8 +7,8 @@
 //! delta = C (F + K delta)
 //! ```
 //!
-//! The rounds `delta <- C (F + K delta)` settle where the spectral radius of `C K` is below one: the contraction that is told. Then the sum of
-//! all rounds is solved for at once. A program that is compensated stands at its targets, so that it cuts as it was meant.
+//! The rounds `delta <- C (F + K delta)` settle where the spectral radius of `C K` is below one: the contraction that is reported. Then the
+//! sum of all rounds is solved for at once. A program that is compensated stands at its targets, so that it cuts as it was meant.
 
 use nalgebra::{Matrix2, Matrix3x2, Vector2, Vector3};
 
@@ -54,17 +54,17 @@ pub fn fed_back(
         let back = axes.transpose() * posture.compliance.translation() * axes * changes;
         let of_cut: Matrix2<f64> = back.fixed_rows::<2>(1).into();
         let contraction = spectral_radius(&of_cut);
-        let told = found.get_or_insert(FedBack { worst: 0.0, contraction: 0.0, unsettled: 0 });
-        told.contraction = told.contraction.max(contraction);
+        let summary = found.get_or_insert(FedBack { worst: 0.0, contraction: 0.0, unsettled: 0 });
+        summary.contraction = summary.contraction.max(contraction);
         let settled = if contraction < 1.0 { (Matrix2::identity() - of_cut).try_inverse() } else { None };
         let Some(settled) = settled else {
-            told.unsettled += 1;
+            summary.unsettled += 1;
             continue;
         };
         let moved = axes * (meant + back * (settled * Vector2::new(meant.y, meant.z)));
         let counted = part.direction(&axes, &station.sample);
         let error = counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs());
-        told.worst = told.worst.max(error);
+        summary.worst = summary.worst.max(error);
     }
     Ok(found)
 }

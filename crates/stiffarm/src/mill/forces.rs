@@ -68,7 +68,7 @@ pub enum ForcedError {
         unit: &'static str,
     },
     /// Forces over time need to know when.
-    #[error("{}no feed rate is told, so that forces over time have no place; expected F words, or forces over the way (s_m)", of_line(*line))]
+    #[error("{}no feed rate is given, so that forces over time have no place; expected F words, or forces over the way (s_m)", of_line(*line))]
     NoTime {
         /// Of the path.
         line: usize,
@@ -87,7 +87,7 @@ pub enum ForcedError {
 struct Clock {
     /// Where it was last, m.
     way: f64,
-    /// s; `None` where some feed rate is not told.
+    /// s; `None` where some feed rate is not given.
     time: Option<f64>,
 }
 
@@ -232,7 +232,7 @@ fn about_engagement(stations: &[Station], taken: &[bool], milling: &Milling) -> 
     let mut warn = |at: Vec<usize>, what: &str, why: &str| {
         let Some(first) = at.first() else { return };
         let line = of_line(stations[*first].sample.line);
-        found.push(format!("WIDER CUTS: {line}{} {what}: {why}, under more force than is told", at.len()));
+        found.push(format!("WIDER CUTS: {line}{} {what}: {why}, under more force than is computed", at.len()));
     };
     let all = || 0..stations.len();
     warn(
@@ -377,13 +377,13 @@ mod tests {
                 force(station)
             );
         }
-        let [told] = found.remarks.as_slice() else { panic!("{:?}", found.remarks) };
-        assert!(told.contains("2 mm deep and 16 mm wide, is taken on every feed move, in air too"), "{told}");
+        let [remark] = found.remarks.as_slice() else { panic!("{:?}", found.remarks) };
+        assert!(remark.contains("2 mm deep and 16 mm wide, is taken on every feed move, in air too"), "{remark}");
     }
 
     /// A path that begins twice, turns once sharply and once not: counted by hand, and only where the cut is that of the process.
     #[test]
-    fn a_cut_that_may_be_wider_than_told_is_warned_of_where_it_begins_and_turns() {
+    fn a_cut_that_may_be_wider_than_given_is_warned_of_where_it_begins_and_turns() {
         use crate::toolpath::{Course, MoveKind, ToolPose};
         let pose = |[x, y]: [f64; 2]| ToolPose { tip: Vector3::new(x, y, 0.0), axis: Vector3::z() };
         let one = |line, kind, from, to, given| Move {

@@ -2,7 +2,8 @@
 //!
 //! The tool is round: how far it is turned about its axis is free (functional redundancy). What is searched for is the smoothest path of rolls of
 //! those whose largest error is nearly the least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of
-//! rolls beats (`bound`); where that lies far below, rolls are looked at once more in finer steps. Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
+//! rolls beats (`bound`); where that lies far below, rolls are looked at once more in finer steps. Every number that is
+//! reported is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
 
 mod arm_error;
 mod blocked;
@@ -53,8 +54,8 @@ use crate::tolerances::{CLEARANCE, LIMIT};
 use crate::toolpath::ToolPose;
 use crate::watch::Watch;
 
-/// Where the bound lies so far below the error, as a part of it, rolls are looked at more finely; those found are told where they are better by
-/// more than the second part.
+/// Where the bound lies so far below the error, as a part of it, rolls are looked at more finely; those found are reported where they are
+/// better by more than the second part.
 const DOUBTFUL: f64 = 0.2;
 const WORTH: f64 = 1e-3;
 /// Of longer paths the finer rolls would need more memory and time than a doubt is worth.

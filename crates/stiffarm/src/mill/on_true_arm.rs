@@ -326,7 +326,7 @@ impl Moved {
 /// The small motion that takes points nearest to where they are off, least squares; what they do not tell of its turn is none.
 pub(super) fn moved(at: &[Vector3<f64>], off: &[Vector3<f64>]) -> Moved {
     /// Of the largest moment of inertia.
-    const TOLD: f64 = 1e-9;
+    const LEAST: f64 = 1e-9;
     let count = at.len().max(1) as f64;
     let about = at.iter().sum::<Vector3<f64>>() / count;
     let shift = off.iter().sum::<Vector3<f64>>() / count;
@@ -338,7 +338,7 @@ pub(super) fn moved(at: &[Vector3<f64>], off: &[Vector3<f64>]) -> Moved {
     }
     let eigen = inertia.symmetric_eigen();
     let largest = eigen.eigenvalues.amax();
-    let turn = (0..3).filter(|i| 0.0 < largest && TOLD * largest < eigen.eigenvalues[*i]).map(|i| {
+    let turn = (0..3).filter(|i| 0.0 < largest && LEAST * largest < eigen.eigenvalues[*i]).map(|i| {
         let axis: Vector3<f64> = eigen.eigenvectors.column(i).into();
         axis * (axis.dot(&moment) / eigen.eigenvalues[i])
     });

@@ -66,7 +66,7 @@ pub struct MillOptions {
     pub singular_margin: f64,
     /// Of the joints' speeds what is used while cutting, at most.
     pub share_of_speed: f64,
-    /// Weight of the tool, where it is known: it is told against the robot's payload, and changes no posture.
+    /// Weight of the tool, where it is known: it is compared with the robot's payload, and changes no posture.
     pub tool_weight: Option<ToolWeight>,
     /// What the arm keeps clear of; nothing is looked at where `None`.
     pub clear_of: Option<ClearOf>,
@@ -112,7 +112,7 @@ impl Question<'_> {
             ladder.unblock();
             found = self.over(ladder, stand, Some(&guard), watch)?;
         }
-        // Where there is none either, the best of all is told, with what it touches.
+        // Where there is none either, the best of all is returned, with what it touches.
         if found.is_err() {
             ladder.unblock();
             found = self.over(ladder, stand, None, watch)?;

@@ -9,7 +9,7 @@ pub struct Motion {
     pub own: Vec<f64>,
     /// `C`, 1/s, symmetric; `2 zeta w` on its diagonal.
     pub friction: DMatrix<f64>,
-    /// `S`: how the tip moves in each mode, m per root of kg m^2; the axes are told by whoever holds it.
+    /// `S`: how the tip moves in each mode, m per root of kg m^2; whoever holds it knows the axes.
     pub tip: Matrix3xX<f64>,
 }
 

@@ -117,7 +117,7 @@ pub struct PlaceOptions {
     /// How the robot stands in its cell, and what else stands there; spatial model only. Its windows replace `within`. Alone on the floor
     /// where `None`.
     pub cell: Option<Cell>,
-    /// Weight of the tool, where it is known: it is told against the robot's payload, and changes no place.
+    /// Weight of the tool, where it is known: it is compared with the robot's payload, and changes no place.
     pub tool_weight: Option<ToolWeight>,
 }
 
@@ -218,7 +218,7 @@ pub enum Hold {
         /// Shoulder and elbow angle at the worst point, rad.
         posture: [f64; 2],
         /// What the drives 2 and 3 give of the compliance there, m/N, and after it where else in the zone the worst point may lie, if a drive is
-        /// softer or stiffer than is told.
+        /// softer or stiffer than is given.
         by_drive: Vec<[Matrix2<f64>; 2]>,
         /// The least that is kept from a limit or a straight arm anywhere in the zone, rad; `None` of [`find`].
         margin: Option<(f64, MarginOf)>,
@@ -243,7 +243,7 @@ pub struct SpaceHold {
     /// What each drive gives of the deflection there, adding up to 1.
     pub shares: [f64; 6],
     /// What each drive gives of the compliance of the translation there, m/N, base axes, and after it where else in the zone the worst point may
-    /// lie, if a drive is softer or stiffer than is told.
+    /// lie, if a drive is softer or stiffer than is given.
     pub by_drive: Vec<[Matrix3<f64>; 6]>,
     /// The forces that may act there, base axes; any where `None`.
     pub(crate) forces: Option<Forces>,
@@ -396,9 +396,9 @@ impl Placed {
 ///
 /// **A part**, in space alone, stands upright, straight ahead, at any turn that the orientation allows; each face is met by the tool at a right
 /// angle, in one configuration and at one roll of its own. The lower bound is that of the face which alone has the worst best place: no place of
-/// the part is better, and how near it comes is told as the gap.
+/// the part is better, and how near it comes is reported as the gap.
 ///
-/// The parts of the work that `watch` is told are what the search looks at; how many there will be is not known.
+/// The parts of the work that are reported to `watch` are what the search looks at; how many there will be is not known.
 ///
 /// ```
 /// use stiffarm::catalogue::find;

@@ -3,7 +3,7 @@
 use nalgebra::{Rotation3, UnitQuaternion};
 
 /// Where cos(B) is smaller the first and the last angle turn about one axis. Below it, leaving out the last turns the tool by less
-/// than pi times this; above it, both are told to 1e-16 over this.
+/// than pi times this; above it, both are known to 1e-16 over this.
 const GIMBAL: f64 = 1e-8;
 
 /// Angles about z, then the turned y, then the twice turned x: `R = Rz(a) Ry(b) Rx(c)`, rad.
@@ -71,7 +71,7 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
     #[test]
-    fn a_quarter_turn_about_each_axis_is_told_by_hand() {
+    fn a_quarter_turn_about_each_axis_is_as_by_hand() {
         for (about, expected) in [
             ([0.0, 0.0, FRAC_PI_2], [90.0, 0.0, 0.0]),
             ([0.0, 0.5, 0.0], [0.0, 0.5_f64.to_degrees(), 0.0]),

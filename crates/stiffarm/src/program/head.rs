@@ -62,7 +62,7 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
 /// The sentences of a file that tells joints, and turns as quaternions, which have no gimbal.
 ///
 /// # Errors
-/// Where it is not known what the pendant shows: no joint may be told then.
+/// Where it is not known what the pendant shows: no joint may be written then.
 pub(super) fn of_joints_alone(program: &Program) -> Result<Vec<String>, ProgramFault> {
     let setup = program.setup;
     if !setup.knows_joints() {

@@ -95,8 +95,8 @@ fn moves(program: &Program, steps: &[Step]) -> Vec<String> {
     lines.extend(begin(0));
     for (i, step) in steps.iter().enumerate().skip(1) {
         if Program::change_at(steps, i) {
-            let told = program.change_to(step);
-            lines.extend(told.iter().flat_map(|sentence| wrapped(sentence)).map(|line| format!("  !{line}")));
+            let sentences = program.change_to(step);
+            lines.extend(sentences.iter().flat_map(|sentence| wrapped(sentence)).map(|line| format!("  !{line}")));
             lines.push("  PAUSE".into());
             lines.extend(begin(i));
             continue;

@@ -133,25 +133,25 @@ pub(super) fn ranks(proved: &[Option<[f64; 2]>]) -> Vec<Option<Rank>> {
 mod tests {
     use super::*;
 
-    fn told(proved: &[Option<[f64; 2]>]) -> Vec<String> {
+    fn written(proved: &[Option<[f64; 2]>]) -> Vec<String> {
         ranks(proved).iter().map(|rank| rank.map_or_else(|| "-".into(), |rank| rank.to_string())).collect()
     }
 
     /// By hand: who is certainly better is who ends before another begins.
     #[test]
     fn intervals_that_overlap_share_a_rank() {
-        assert_eq!(told(&[Some([1.0, 1.0]), Some([2.0, 2.0]), Some([3.0, 3.0])]), ["1", "2", "3"]);
-        assert_eq!(told(&[Some([1.0, 2.0]), Some([1.5, 2.5]), Some([3.0, 3.0])]), ["1=", "1=", "3"]);
+        assert_eq!(written(&[Some([1.0, 1.0]), Some([2.0, 2.0]), Some([3.0, 3.0])]), ["1", "2", "3"]);
+        assert_eq!(written(&[Some([1.0, 2.0]), Some([1.5, 2.5]), Some([3.0, 3.0])]), ["1=", "1=", "3"]);
         // Equal robots; what touches is not distinguished.
-        assert_eq!(told(&[Some([2.0, 2.0]), Some([2.0, 2.0]), Some([2.1, 2.2])]), ["1=", "1=", "3"]);
+        assert_eq!(written(&[Some([2.0, 2.0]), Some([2.0, 2.0]), Some([2.1, 2.2])]), ["1=", "1=", "3"]);
         // A chain: the first is certainly better than the last, the one in the middle may be as good as both.
-        assert_eq!(told(&[Some([1.0, 2.0]), Some([1.9, 2.9]), Some([2.5, 3.0])]), ["1=", "1=", "2="]);
+        assert_eq!(written(&[Some([1.0, 2.0]), Some([1.9, 2.9]), Some([2.5, 3.0])]), ["1=", "1=", "2="]);
         // One of which little is proved may be better than those that stand before it.
-        assert_eq!(told(&[Some([2.0, 2.0]), Some([2.1, 2.2]), Some([1.0, 2.5])]), ["1=", "2=", "1="]);
-        assert_eq!(told(&[None, Some([1.0, 1.0]), None]), ["-", "1", "-"]);
+        assert_eq!(written(&[Some([2.0, 2.0]), Some([2.1, 2.2]), Some([1.0, 2.5])]), ["1=", "2=", "1="]);
+        assert_eq!(written(&[None, Some([1.0, 1.0]), None]), ["-", "1", "-"]);
         // Rounding tells nobody apart: two robots that do not give way, and two that differ by 1e-12.
-        assert_eq!(told(&[Some([0.0, 0.0]), Some([1e-17, 1e-17])]), ["1=", "1="]);
-        assert_eq!(told(&[Some([2.0, 2.0]), Some([2.0 + 2e-12, 2.0 + 2e-12])]), ["1=", "1="]);
+        assert_eq!(written(&[Some([0.0, 0.0]), Some([1e-17, 1e-17])]), ["1=", "1="]);
+        assert_eq!(written(&[Some([2.0, 2.0]), Some([2.0 + 2e-12, 2.0 + 2e-12])]), ["1=", "1="]);
     }
 
     fn contestant<'a>(name: &'a str, is_estimated: bool, proved: &[Option<[f64; 2]>]) -> Contestant<'a> {
@@ -170,13 +170,13 @@ mod tests {
             contestant("none", false, &[None, None]),
         ];
         let standings = order(&contestants);
-        let told: Vec<(&str, Option<String>)> =
+        let found: Vec<(&str, Option<String>)> =
             standings.iter().map(|one| (contestants[one.at].name, one.rank.map(|rank| rank.to_string()))).collect();
         let rank = |text: &str| Some(text.to_owned());
         // One that does fewer tasks comes after all that do more; an estimated one, and one that does none, take no rank.
         let expected =
             [("guess", None), ("a", rank("1=")), ("b", rank("1=")), ("d", rank("3")), ("c", rank("4")), ("none", None)];
-        assert_eq!(told, expected);
+        assert_eq!(found, expected);
         // By hand: ratios to 0.1 of both tasks, 12 by value and 5 by what is proved.
         let b = standings[2];
         assert!((b.mean_ratio.unwrap() - 12.0).abs() < 1e-12 && (b.mean_ratio_bound.unwrap() - 5.0).abs() < 1e-12);

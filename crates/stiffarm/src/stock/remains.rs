@@ -220,12 +220,12 @@ mod tests {
                         assert_eq!(highest(&Square { level: 0, at }), Some(0.0), "{square:?}");
                     }
                 }
-                let told = remains.left(square, sample);
+                let left = remains.left(square, sample);
                 looked += 1;
-                gone += usize::from(told.is_none());
-                fallen += usize::from(told.is_some_and(|[_, high]| high[2] < 0.0));
-                assert_eq!(told.is_none(), most <= -0.05, "{square:?} {sample} {most}");
-                let Some([low, high]) = told else { continue };
+                gone += usize::from(left.is_none());
+                fallen += usize::from(left.is_some_and(|[_, high]| high[2] < 0.0));
+                assert_eq!(left.is_none(), most <= -0.05, "{square:?} {sample} {most}");
+                let Some([low, high]) = left else { continue };
                 assert!((0.0..=LEAST_FALL).contains(&(high[2] - most)) && low[2] == -0.05, "{high:?} {most}");
                 let ends = [range(0).start, range(0).end].map(|cells| -0.1 + cells as f64 * CELL);
                 assert!((ends[0] - low[0] - 0.707e-3).abs() < 1e-6 && (high[0] - ends[1] - 0.707e-3).abs() < 1e-6);

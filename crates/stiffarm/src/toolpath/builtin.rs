@@ -163,8 +163,8 @@ mod tests {
             // Millimetres for metres.
             "raster:rect:0.4x0.2@20",
         ] {
-            let told = text.parse::<Builtin>().unwrap_err().to_string();
-            assert!(told.contains("expected"), "{told}");
+            let message = text.parse::<Builtin>().unwrap_err().to_string();
+            assert!(message.contains("expected"), "{message}");
         }
         assert!(Builtin::is_meant("line:x") && !Builtin::is_meant("C:path.nc") && !Builtin::is_meant("a.nc"));
     }

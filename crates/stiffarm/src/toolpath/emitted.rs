@@ -158,8 +158,8 @@ mod tests {
 
     #[test]
     fn numbers_keep_a_point_and_lose_what_says_nothing() {
-        let told = [15.0, -0.00001, 1.25, -3.00049, 1e-9].map(|x| number(x, 4));
-        assert_eq!(told, ["15.0", "0.0", "1.25", "-3.0005", "0.0"]);
+        let found = [15.0, -0.00001, 1.25, -3.00049, 1e-9].map(|x| number(x, 4));
+        assert_eq!(found, ["15.0", "0.0", "1.25", "-3.0005", "0.0"]);
         assert_eq!(number(12.0, 0), "12.0");
         let [mm, inch, m] =
             [Lengths::of(LengthUnit::Millimetre), Lengths::of(LengthUnit::Inch), Lengths::of_metres(1.0)];

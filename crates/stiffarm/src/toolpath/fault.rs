@@ -75,7 +75,7 @@ impl Wrong {
         Self { word: word.into(), why: why.into(), line: None }
     }
 
-    /// Of a line that was kept, and runs later; the innermost one is told.
+    /// Of a line that was kept, and runs later; the innermost one is reported.
     pub(super) fn in_line(self, line: usize) -> Self {
         Self { line: self.line.or(Some(line)), ..self }
     }

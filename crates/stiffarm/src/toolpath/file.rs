@@ -31,7 +31,7 @@ pub fn read_toolpath(
     format: Format,
     options: &ReadOptions,
     each: &mut dyn FnMut(&Move),
-    told: &mut dyn FnMut(u64, u64) -> Result<(), Stopped>,
+    progress: &mut dyn FnMut(u64, u64) -> Result<(), Stopped>,
 ) -> Result<Option<Understood>, ToolpathError> {
     if Builtin::is_meant(name) {
         name.parse::<Builtin>()?.moves(options.feed).iter().for_each(each);
@@ -42,6 +42,6 @@ pub fn read_toolpath(
     // What the system makes up has no length: then how much is left is not known.
     let length = file.metadata().map_or(0, |found| found.len());
     let mut input = BufReader::with_capacity(BUFFER, file);
-    let found = read(&mut input, &files::shown(path), format, options, each, &mut |far| told(far.bytes, length))?;
+    let found = read(&mut input, &files::shown(path), format, options, each, &mut |far| progress(far.bytes, length))?;
     Ok(Some(found))
 }

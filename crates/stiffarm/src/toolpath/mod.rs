@@ -1,19 +1,20 @@
 //! Which way does the tool go, and what does a file of a toolpath say of it? G-code, APT and CLS, CSV, and paths built in.
 //!
-//! Every word of a file is modelled, kept as inert and told, or refused with its line: nothing is dropped silently. What a file
-//! leaves open (the unit, what arc centres count from, in which sense arcs turn) is found from the file where it can be, told, and
+//! Every word of a file is modelled, kept as inert and reported, or refused with its line: nothing is dropped silently. What a file
+//! leaves open (the unit, what arc centres count from, in which sense arcs turn) is found from the file where it can be, reported, and
 //! overruled by [`ReadOptions`]. Moves come one by one, in the part frame, arcs exact, so that a file of any length needs no memory;
 //! [`samples`] cuts them. SI inside: with the catalogue, `request` and `answer` the only module that knows mm and inches.
 //!
 //! ```
-//! use stiffarm::toolpath::{Format, ReadOptions, Steps, Survey, read};
+//! use stiffarm::toolpath::{Format, Move, ReadOptions, Steps, Survey, read};
 //!
 //! let mut survey = Survey::new(Steps::USUAL);
 //! let program = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-2 F200\nX40 F1000\nG3 X50 Y10 I0 J10\nM30\n";
-//! let told = read(&mut program.as_bytes(), "a.nc", Format::GCode, &ReadOptions::default(), &mut |one| survey.add(one), &mut |_| Ok(()))?;
+//! let mut each = |one: &Move| survey.add(one);
+//! let understood = read(&mut program.as_bytes(), "a.nc", Format::GCode, &ReadOptions::default(), &mut each, &mut |_| Ok(()))?;
 //! assert_eq!(survey.arcs, 1);
 //! assert!((survey.feed_length - (0.007 + 0.040 + 0.005 * std::f64::consts::PI)).abs() < 1e-12);
-//! assert!(told.ignored.is_empty());
+//! assert!(understood.ignored.is_empty());
 //! # Ok::<(), stiffarm::toolpath::PathFault>(())
 //! ```
 
@@ -68,7 +69,7 @@ impl Format {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::GCode, Self::Apt, Self::Csv];
 
-    /// As it is told.
+    /// As it is named.
     pub const fn name(self) -> &'static str {
         match self {
             Self::GCode => "gcode",
@@ -157,8 +158,8 @@ pub struct Progress {
 /// Lines, and moves, between two reports: a line may ask for thousands of moves.
 const REPORT: usize = 1 << 14;
 
-/// Reads a toolpath: `each` takes its moves in their order, `progress` is told now and then how far it is, and may stop it. `file` names it
-/// in messages.
+/// Reads a toolpath: `each` takes its moves in their order, `progress` is informed now and then how far it is, and may stop it. `file`
+/// names it in messages.
 ///
 /// # Errors
 /// The first word that is refused, with its line; a file in which nothing moves; [`PathFault::Stopped`] as `progress` says.

@@ -1,4 +1,4 @@
-//! What was assumed about a file, and which of its words move nothing: each told once, with the line that came first.
+//! What was assumed about a file, and which of its words move nothing: each reported once, with the line that came first.
 
 use std::collections::HashMap;
 
@@ -23,7 +23,7 @@ struct Inert {
 }
 
 impl Notes {
-    /// A choice that the file leaves open; told once.
+    /// A choice that the file leaves open; reported once.
     pub(super) fn assume(&mut self, line: usize, what: &str) {
         if !self.assumed.iter().any(|(known, _)| known == what) {
             self.assumed.push((what.to_owned(), line));

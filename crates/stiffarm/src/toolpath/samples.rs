@@ -54,7 +54,7 @@ pub struct Sample {
 
 /// The samples of one move: its beginning, its end and what lies between; `way` is that of its beginning.
 ///
-/// Each move has samples at both ends, so that at a corner both directions are told.
+/// Each move has samples at both ends, so that at a corner both directions are given.
 pub fn samples(one: &Move, steps: &Steps, way: f64) -> impl Iterator<Item = Sample> {
     let (pieces, length) = (steps.pieces(one), one.length());
     let one = *one;

@@ -11,11 +11,11 @@ use crate::limits::Limits;
 
 /// rad: a zero that is off by less is not asked about.
 const ZERO: f64 = PI / 180.0;
-/// Postures that are told.
-pub(super) const TOLD: usize = 3;
+/// Postures that are reported.
+pub(super) const REPORTED: usize = 3;
 /// Postures among which they are chosen.
 const CANDIDATES: usize = 400;
-/// deg: the postures that are told are easily typed.
+/// deg: the postures that are reported are easily typed.
 const ROUND: f64 = 5.0;
 /// Another way of counting is distinguished where it is off by so many times what agrees.
 const CLEARLY: f64 = 4.0;
@@ -42,11 +42,11 @@ pub(super) fn apart(
     if table.spare() < SPARE {
         what.insert(0, format!("much: base, tool and zeros alone can fit {} rows", table.len()));
     }
-    let mut told = Vec::new();
+    let mut postures = Vec::new();
     let mut readings = table.readings.clone();
     let candidates = candidates(limits, geometry, &fit.convention);
     let is_short = table.spare() < SPARE;
-    while (!left.is_empty() || is_short) && told.len() < TOLD {
+    while (!left.is_empty() || is_short) && postures.len() < REPORTED {
         let off = |q: &[f64; 6]| {
             let each = left.iter().map(|rival| {
                 let [a, b] = [fit.expected(geometry, q), rival.fit.expected(geometry, q)];
@@ -59,11 +59,11 @@ pub(super) fn apart(
             least * 10.0 + sum
         };
         let Some(best) = candidates.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else { break };
-        told.push(*best);
+        postures.push(*best);
         readings.rows.push(read_at(fit, geometry, best, table.readings));
         left = unresolved(left, &readings, table.options, geometry);
     }
-    (what, told)
+    (what, postures)
 }
 
 /// What the controller would show there.

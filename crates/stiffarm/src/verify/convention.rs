@@ -99,7 +99,7 @@ impl Convention {
             if self.sign[i] != other.sign[i] {
                 found.push(format!("joint {} counts the other way", i + 1));
             }
-            // The zero is told as the joint angle at which the arm stands as at model zero.
+            // The zero is reported as the joint angle at which the arm stands as at model zero.
             let away = crate::angle::wrapped(self.offset[i] - other.offset[i]);
             if SAME < away.abs() {
                 found.push(format!("zero of joint {} is {:+.3} deg off", i + 1, away.to_degrees()));

@@ -28,8 +28,8 @@ pub const LEAST_ROWS: usize = 3;
 const ROWS: usize = 30;
 /// Robots, each in two ways of counting, that are looked at closer after a first glance.
 const RANKED: usize = 40;
-/// So many ways of counting are told.
-const TOLD: usize = 5;
+/// So many ways of counting are reported.
+const REPORTED: usize = 5;
 
 /// What is known beside the readings.
 #[derive(Clone, Debug, Default)]
@@ -129,7 +129,7 @@ pub fn verify(
         fits.extend(ranked(&table, others, watch)?);
     }
     sort(&mut fits, robot);
-    fits.truncate(TOLD);
+    fits.truncate(REPORTED);
     if let Some((best, fit)) = fits.first().filter(|(_, fit)| fit.agrees())
         && let Some(parts) = six_axis(best)
     {
@@ -182,7 +182,7 @@ fn ranked(table: &Table, robots: &[Robot], watch: Watch) -> Result<Vec<(Robot, F
         }
     }
     found.sort_by(|a, b| a.1.rms.total_cmp(&b.1.rms));
-    found.truncate(2 * TOLD);
+    found.truncate(2 * REPORTED);
     for (robot, fit) in &mut found {
         let (geometry, _) = six_axis(robot).expect("only such were taken");
         *fit = table.fit(geometry, &fit.convention, &[]);
@@ -257,8 +257,8 @@ impl Verification {
             remarks.push(format!("not verified: the readings do not tell {}", self.alike.join(", ")));
         } else if self.is_measured {
             limits.pendant = Pendant::AsFile;
-            let told = format!("{} measured postures of {date} fit within {:.2} mm rms", self.rows, fit.rms * 1e3);
-            robot.source.insert(crate::limits::PENDANT_SOURCE.into(), told);
+            let source = format!("{} measured postures of {date} fit within {:.2} mm rms", self.rows, fit.rms * 1e3);
+            robot.source.insert(crate::limits::PENDANT_SOURCE.into(), source);
         } else {
             limits.pendant = Pendant::Verified(Verified { rows: self.rows, date: date.into(), largest: fit.largest });
         }

@@ -48,7 +48,7 @@ fn no_colour_stands_outside_the_palette() {
     sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."), &mut files);
     let is_palette = |file: &&PathBuf| file.ends_with("stiffarm/src/palette.rs");
     assert_eq!(files.iter().filter(is_palette).count(), 1);
-    let told = |file: &PathBuf| {
+    let fault_of = |file: &PathBuf| {
         let text = fs::read_to_string(file).unwrap();
         // A stylesheet, which knows light and dark, names each of its own colours once.
         let is_style = file.extension().is_some_and(|ending| ending == "css");
@@ -56,7 +56,7 @@ fn no_colour_stands_outside_the_palette() {
         let found: Vec<String> = colours(&text).into_iter().map(str::to_owned).collect();
         (!found.is_empty()).then(|| format!("{}: {}", file.display(), found.join(", ")))
     };
-    let found: Vec<String> = files.iter().filter(|file| !is_palette(file)).filter_map(told).collect();
+    let found: Vec<String> = files.iter().filter(|file| !is_palette(file)).filter_map(fault_of).collect();
     assert!(found.is_empty(), "colours belong into crates/stiffarm/src/palette.rs:\n{}", found.join("\n"));
 }
 

@@ -1,4 +1,4 @@
-//! What does a Rust source use? Answered from its text: comments, strings and tests apart, paths are told by their words.
+//! What does a Rust source use? Answered from its text: comments, strings and tests apart, paths are recognised by their words.
 
 use std::collections::BTreeMap;
 

@@ -56,7 +56,7 @@ pub(crate) struct Made {
     /// Standard deviation of a coordinate, m.
     pub(crate) noise: f64,
     /// The noise stands in the table.
-    pub(crate) told: bool,
+    pub(crate) noise_in_table: bool,
     pub(crate) in_flange_axes: bool,
     pub(crate) only_down: bool,
     pub(crate) only_joint_1: bool,
@@ -70,7 +70,7 @@ impl Made {
             spots: Spot::three(),
             load_at: Vector3::new(0.0, 0.1, 0.25),
             noise: 20e-6,
-            told: false,
+            noise_in_table: false,
             in_flange_axes: false,
             only_down: false,
             only_joint_1: false,
@@ -104,7 +104,7 @@ impl Made {
             }
             for spot in &self.spots {
                 let row = readings.len() + 1;
-                let sigma = self.told.then_some(self.noise);
+                let sigma = self.noise_in_table.then_some(self.noise);
                 let nothing = Vector3::zeros();
                 let mut reading =
                     Reading { row, posture, q, load, load_at: self.load_at, marker_at: spot.at, moved: nothing, sigma };

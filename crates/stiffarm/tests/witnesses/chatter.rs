@@ -262,7 +262,7 @@ pub(crate) fn swings_first_at(
 
 /// `det(I - a (1 - e^(-i w T)) A0 G(w)) = 0` on a fine grid of frequencies, with the receptance of the arm itself.
 #[test]
-fn no_frequency_swings_at_less_than_the_depth_that_is_told() {
+fn no_frequency_swings_at_less_than_the_depth_that_is_reported() {
     let (robot, tool, q) = kr210();
     let swing = modes(&robot, &q, &tool, Some(Damping::Ratio(0.04))).unwrap();
     let cut_axes = axes([0.2, 1.0, 0.0], &-(swing.tool.rotation * Vector3::z())).unwrap();
@@ -290,7 +290,7 @@ fn no_frequency_swings_at_less_than_the_depth_that_is_told() {
 
 /// The eigenvalues of `M x'' + D x' + (K - a A0) x = 0` in its modes: on the left of the axis below the depth, one on the right above.
 #[test]
-fn without_the_delay_an_eigenvalue_crosses_the_axis_at_the_depth_that_is_told() {
+fn without_the_delay_an_eigenvalue_crosses_the_axis_at_the_depth_that_is_reported() {
     let motion = tx200_motion();
     let factors = task().mean_directional();
     let pan = Curve::of(&motion, &factors).without_delay().unwrap();

@@ -79,10 +79,10 @@ fn one_mode_that_was_measured_on_the_robot_is_the_textbooks_whatever_the_robot()
     let arm = kr210();
     let pose = modes(&arm.0, &arm.2, &arm.1, None).unwrap().tool;
     let along = |tip_axis: Vector3<f64>| pose.rotation * tip_axis;
-    let told = found(&arm, milling, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
-    close(told.any_speed.unwrap().depth, bottom, 1e-6);
-    assert_eq!((told.robot_modes.len(), told.drives_are_drawn, told.drives_are_assumed), (0, false, false));
-    assert_eq!(told.spread.p05, told.spread.p95);
+    let answer = found(&arm, milling, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
+    close(answer.any_speed.unwrap().depth, bottom, 1e-6);
+    assert_eq!((answer.robot_modes.len(), answer.drives_are_drawn, answer.drives_are_assumed), (0, false, false));
+    assert_eq!(answer.spread.p05, answer.spread.p95);
     // Turned together nothing changes; across the feed half immersion drives a mode otherwise than along it.
     let turned = found(&arm, milling, 10_000.0, (along(Vector3::y()), &tip([0.0, 1.0, 0.0])));
     close(turned.any_speed.unwrap().depth, bottom, 1e-6);
@@ -95,18 +95,18 @@ fn one_mode_that_was_measured_on_the_robot_is_the_textbooks_whatever_the_robot()
     let bare = find("IRB 6650S-200").unwrap().robot();
     let other = (bare, arm.1, arm.2);
     let pose = stiffarm::compliance::compliance(&other.0, &other.2, &other.1.flange_from_tool).unwrap().tool;
-    let told = found(&other, milling, 10_000.0, (pose.rotation * Vector3::x(), &tip([1.0, 0.0, 0.0])));
-    close(told.any_speed.unwrap().depth, bottom, 1e-6);
+    let answer = found(&other, milling, 10_000.0, (pose.rotation * Vector3::x(), &tip([1.0, 0.0, 0.0])));
+    close(answer.any_speed.unwrap().depth, bottom, 1e-6);
     let rigid = MeasuredTip { held_by: HeldBy::Rigid, ..tip([1.0, 0.0, 0.0]) };
     let refused = chatter(&other.0, &other.2, &other.1, &process(milling, 1e4), &ask(along_y(), Some(&rigid)));
     assert!(matches!(refused, Err(ChatterError::Modes(_))), "{refused:?}");
     // What was measured has no interval: it decides by itself.
     let deep = Milling {
-        engagement: stiffarm::cutting::Engagement { depth: 2.0 * told.at_speed.unwrap().depth, ..milling.engagement },
+        engagement: stiffarm::cutting::Engagement { depth: 2.0 * answer.at_speed.unwrap().depth, ..milling.engagement },
         ..milling
     };
-    let told = found(&arm, deep, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
-    assert_eq!(told.verdict(), Verdict::Limits(told.at_speed.unwrap().depth));
+    let answer = found(&arm, deep, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
+    assert_eq!(answer.verdict(), Verdict::Limits(answer.at_speed.unwrap().depth));
 }
 
 #[test]
@@ -174,16 +174,16 @@ fn beside_the_robot_the_edge_is_that_of_the_sum_of_both() {
     let factors = slot().mean_directional().map(|x| Complex::new(x, 0.0));
     let tip = MeasuredTip { held_by: HeldBy::Rigid, response: Response::of_modes(&SPINDLE) };
     for rpm in [431.0, 4000.0, 12_000.0, 18_000.0] {
-        let told = found(&arm, slot(), rpm, (feed, &tip));
-        let edge = told.at_speed.unwrap();
+        let answer = found(&arm, slot(), rpm, (feed, &tip));
+        let edge = answer.at_speed.unwrap();
         let gain = |w: f64| {
             let hertz = w / TAU;
             let both = swing.receptance(hertz).unwrap() + turn * receptance(&SPINDLE, hertz) * turn.transpose();
             cut_axes.transpose() * both * cut_axes * factors
         };
         swings_first_at(edge, gain, 60.0 / (3.0 * rpm), (3000.0, 60_000));
-        assert_eq!((told.robot_modes.len(), told.measured.unwrap().modes.len()), (6, 3));
-        // Along a path the same is told of each posture.
+        assert_eq!((answer.robot_modes.len(), answer.measured.unwrap().modes.len()), (6, 3));
+        // Along a path the same is reported of each posture.
         let cut = stiffarm::chatter::Cut::of(&process(slot(), rpm)).unwrap();
         let one = by_mean(robot, q, tool, &cut, &ask(feed, Some(&tip))).unwrap();
         assert_eq!(one.edge, Some(edge));
@@ -201,10 +201,10 @@ fn without_modes_teeth_are_not_counted_one_by_one() {
     };
     let samples = || sampled(2.0, 4000.0, |hertz| receptance(&SPINDLE, hertz));
     assert_eq!(of(samples(), Some(Method::Teeth)).err(), Some(ChatterError::NoModes));
-    let told = of(samples(), None).unwrap();
-    assert_eq!((told.method, told.may_mislead()), (Method::Mean, true));
-    let told = of(Response::of_modes(&SPINDLE), None).unwrap();
-    assert_eq!((told.method, told.may_mislead()), (Method::Teeth, false));
+    let answer = of(samples(), None).unwrap();
+    assert_eq!((answer.method, answer.may_mislead()), (Method::Mean, true));
+    let answer = of(Response::of_modes(&SPINDLE), None).unwrap();
+    assert_eq!((answer.method, answer.may_mislead()), (Method::Teeth, false));
     let wide = found(&arm, slot(), 9000.0, (along_y(), &MeasuredTip { held_by: HeldBy::Rigid, response: samples() }));
     assert!(!wide.may_mislead());
 }
@@ -235,8 +235,8 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
     ];
     let of = |hertz: f64| receptance(&modes, hertz);
     let read = |text: &str| read_response(text, "tip.csv", HeldBy::Rigid);
-    let told = read(&table(20.0, FIVE, of)).unwrap();
-    let Response::Samples(samples) = &told.response else { panic!("samples") };
+    let file = read(&table(20.0, FIVE, of)).unwrap();
+    let Response::Samples(samples) = &file.response else { panic!("samples") };
     // The one of two that are alike is taken for both; what nobody measured is 0.
     let expected = (1..=60).map(|i| {
         let mut found = of(20.0 * f64::from(i));
@@ -246,7 +246,7 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
         (20.0 * f64::from(i), found)
     });
     assert_eq!(samples, &Samples::new(expected.collect()).unwrap());
-    assert_eq!(told.remarks, ["gxz, gyz are not in the table and taken as 0"]);
+    assert_eq!(file.remarks, ["gxz, gyz are not in the table and taken as 0"]);
     let coarse = read(&table(100.0, TWO, of)).unwrap().remarks;
     assert!(coarse.iter().any(|remark| remark.contains("Hz the response moves by")), "{coarse:?}");
     let noisy = table(20.0, TWO, |hertz| {
@@ -260,9 +260,9 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
     assert!(noisy.iter().any(|remark| remark.contains("at 1 of 60 frequencies the damping is negative")), "{noisy:?}");
     // A table of modes, in any order.
     let by_hand = "damping_ratio;freq_hz;stiffness_n_per_m;ux;uy;uz;note\n# tapped\n0.25;420;3e7;-1;2;0.5;b\n0.25;300;2e7;2;1;0;a\n";
-    let told = read(by_hand).unwrap();
-    assert_eq!(told.response, Response::of_modes(&modes));
-    assert_eq!(told.remarks, ["column note is ignored"]);
+    let file = read(by_hand).unwrap();
+    assert_eq!(file.response, Response::of_modes(&modes));
+    assert_eq!(file.remarks, ["column note is ignored"]);
 
     let good = table(20.0, TWO, of);
     let conjugated = table(20.0, TWO, |hertz| of(hertz).conjugate());
@@ -307,8 +307,8 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
         (lines(&good, 10), "gxx_re: in the last row more than half of the answer in the first"),
         (late, "gxx_re: not more than 0 in the first row: the table begins above a resonance"),
     ] {
-        let told = read(&text).err().unwrap_or_else(|| panic!("{text} is read")).to_string();
-        assert!(told.contains(says), "{told}\n{says}");
+        let message = read(&text).err().unwrap_or_else(|| panic!("{text} is read")).to_string();
+        assert!(message.contains(says), "{message}\n{says}");
     }
     assert_eq!(Samples::new(vec![(1.0, Matrix3::zeros())]), None);
 }

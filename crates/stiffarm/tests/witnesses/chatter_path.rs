@@ -1,4 +1,5 @@
-//! Along a path: what is told of every sample is what is told of its posture, feed and engagement alone; reflected in the arm plane it is the same.
+//! Along a path: what is reported of every sample is what is reported of its posture, feed and engagement alone;
+//! reflected in the arm plane it is the same.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -86,10 +87,10 @@ fn depths_along_a_path_are_those_of_its_postures_feeds_and_engagements() {
     // One side says its own width: 4 of 16 mm, down milling.
     moves[2].given.radial_width = Some(4e-3);
     let path = followed(&moves, &process, None);
-    let told = path.chatter(&process);
+    let answer = path.chatter(&process);
     let (s, c) = 0.5_f64.sin_cos();
     let mut turned_round = 0.0_f64;
-    for ((station, pushed), judged) in path.stations.iter().zip(&path.samples).zip(&told.samples) {
+    for ((station, pushed), judged) in path.stations.iter().zip(&path.samples).zip(&answer.samples) {
         let way = station.sample.direction.unwrap();
         let is_narrow = way == moves[2].direction(0.5).unwrap();
         let entry = if is_narrow { PI - 0.5_f64.acos() } else { FRAC_PI_2 };
@@ -115,21 +116,21 @@ fn the_worst_sample_has_the_least_depth_in_proportion_and_the_whole_answer_of_it
     let mut moves = rectangle();
     moves[1].given.axial_depth = Some(20e-3);
     let path = followed(&moves, &process, None);
-    let told = path.chatter(&process);
-    let (worst, found) = told.worst.as_ref().unwrap();
-    let reserve = |i: usize| depth(&told.samples[i]) / path.stations[i].cut.as_ref().unwrap().engagement.depth;
-    assert!((0..told.samples.len()).all(|i| reserve(*worst) <= reserve(i)));
+    let answer = path.chatter(&process);
+    let (worst, found) = answer.worst.as_ref().unwrap();
+    let reserve = |i: usize| depth(&answer.samples[i]) / path.stations[i].cut.as_ref().unwrap().engagement.depth;
+    assert!((0..answer.samples.len()).all(|i| reserve(*worst) <= reserve(i)));
     assert_eq!(found.cut.milling.engagement.depth, 20e-3);
     // The deep side is not where the critical depth is least: proportion counts.
-    let least = told.samples.iter().map(depth).fold(f64::INFINITY, f64::min);
-    assert!(least < depth(&told.samples[*worst]), "{least}");
+    let least = answer.samples.iter().map(depth).fold(f64::INFINITY, f64::min);
+    assert!(least < depth(&answer.samples[*worst]), "{least}");
     let feed = stand(&path.tool).base_from_part.rotation * path.stations[*worst].sample.direction.unwrap();
     let asked = Asked { feed: feed.into(), damping: None, method: Some(Method::Mean), measured: None };
     let Law::Milling(milling) = process.law else { unreachable!() };
     let deep = Milling { engagement: Engagement { depth: 20e-3, ..milling.engagement }, ..milling };
     let process = Process { law: Law::Milling(deep), ..process };
     let again = chatter(&path.robot, &path.samples[*worst].joints, &path.tool, &process, &asked).unwrap();
-    assert_eq!(again.at_speed.unwrap().depth, depth(&told.samples[*worst]));
+    assert_eq!(again.at_speed.unwrap().depth, depth(&answer.samples[*worst]));
     assert_eq!((again.spread, again.verdict()), (found.spread, found.verdict()));
 }
 
@@ -175,7 +176,7 @@ fn reflected_in_the_arm_plane_a_path_has_the_same_depths() {
 
 /// Every posture of its configuration in the robot's limits at every roll, by the inverse kinematics, each asked by itself; and the whole path so.
 #[test]
-fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
+fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_reported() {
     let process = process([0.2, 1.9]);
     // Across the flange, so that the roll moves the arm.
     let aside = Pose::new(Vector3::new(0.25, 0.0, 0.0), Vector3::y() * FRAC_PI_2);
@@ -185,7 +186,7 @@ fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
     let (stand, held) = (stand(&path.tool), held(&path.tool));
     let asked = (&process, &held, &options);
     let found = chatter_along(&path.robot, &stand, (&path.stations, &path.samples), asked, Watch::nobody()).unwrap();
-    let (deepest, (worst, told)) = (found.deepest.unwrap(), found.worst.unwrap());
+    let (deepest, (worst, answer)) = (found.deepest.unwrap(), found.worst.unwrap());
     let station = &path.stations[worst];
     let feed = (stand.base_from_part.rotation * station.sample.direction.unwrap()).into();
     let asked = Asked { feed, damping: None, method: None, measured: None };
@@ -196,7 +197,7 @@ fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
         let flange = tool * stand.flange_from_tool.inverse();
         let here = path.samples[worst].arrangement.configuration;
         for (_, q) in reached(&path.robot, &flange).into_iter().filter(|(configuration, _)| *configuration == here) {
-            let edge = by_mean(&path.robot, &q, &path.tool, &told.cut, &asked).unwrap().edge;
+            let edge = by_mean(&path.robot, &q, &path.tool, &answer.cut, &asked).unwrap().edge;
             most = most.max(depth(edge));
             count += 1;
             if (roll - deepest.roll).abs() < 1e-9 {
@@ -207,23 +208,23 @@ fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
     }
     assert!(met == 1 && 0.0 < deepest.error, "{met}");
     assert!(20 < count && (depth(deepest.edge) == most || (depth(deepest.edge) / most - 1.0).abs() < 1e-9), "{count}");
-    assert!(depth(told.at_speed) < 0.95 * most, "{most} {:?}", told.at_speed);
+    assert!(depth(answer.at_speed) < 0.95 * most, "{most} {:?}", answer.at_speed);
     let all = deepest.all_along.expect("it is followed so");
     let fixed = MillOptions { roll: RollMode::Fixed(deepest.roll), ..options.clone() };
     let rolled = mill(&path.robot, &stand, &path.stations, &fixed, Watch::nobody()).unwrap();
     let Milled::Followed(rolled) = rolled else { panic!("{rolled:?}") };
     let asked = (&process, &held, &options);
     let again = chatter_along(&path.robot, &stand, (&path.stations, &rolled.samples), asked, Watch::nobody()).unwrap();
-    let (worst, told) = again.worst.unwrap();
+    let (worst, answer) = again.worst.unwrap();
     assert_eq!((all.sample, all.error), (worst, rolled.worst.0));
-    close(all.reserve, depth(told.at_speed) / told.cut.milling.engagement.depth, 1e-9);
+    close(all.reserve, depth(answer.at_speed) / answer.cut.milling.engagement.depth, 1e-9);
     // Margins and what stands about take rolls away.
     let usual = path.chatter(&process).deepest.unwrap();
     assert!(depth(usual.edge) <= most);
 }
 
 #[test]
-fn what_is_not_covered_is_told_with_its_reason_and_never_as_calm() {
+fn what_is_not_covered_is_reported_with_its_reason_and_never_as_calm() {
     let pose = |x: f64, z: f64| ToolPose { tip: Vector3::new(x, 0.0, z), axis: Vector3::z() };
     let one = |line, kind, from, to, given| Move {
         line,
@@ -247,7 +248,7 @@ fn what_is_not_covered_is_told_with_its_reason_and_never_as_calm() {
     ];
     let process = process([FRAC_PI_2, PI]);
     let path = followed(&moves, &process, None);
-    let told = path.chatter(&process);
+    let answer = path.chatter(&process);
     let expected = |line: usize| match line {
         1 => Some(Judged::Rapid),
         2 => Some(Judged::Uncovered(Uncovered::Plunge)),
@@ -255,19 +256,19 @@ fn what_is_not_covered_is_told_with_its_reason_and_never_as_calm() {
         5 => Some(Judged::Uncovered(Uncovered::Air)),
         _ => None,
     };
-    for (station, judged) in path.stations.iter().zip(&told.samples) {
+    for (station, judged) in path.stations.iter().zip(&answer.samples) {
         match expected(station.sample.line) {
             Some(expected) => assert_eq!(*judged, expected, "{station:?}"),
             None => assert!(matches!(judged, Judged::Cut { .. }), "{judged:?}"),
         }
     }
-    assert_eq!(path.stations[told.worst.unwrap().0].sample.line, 3);
+    assert_eq!(path.stations[answer.worst.unwrap().0].sample.line, 3);
     // In a stock a plunge has no cut, and is none of the samples in air.
     let mut stock = Stock::block([-0.02, -0.02, -0.01], [0.02, 0.02, 1e-3], 2e-4).unwrap();
     let path = followed(&moves, &process, Some(&mut stock));
-    let told = path.chatter(&process);
+    let answer = path.chatter(&process);
     let on = |line: usize| {
-        let there = path.stations.iter().zip(&told.samples).filter(move |(station, _)| station.sample.line == line);
+        let there = path.stations.iter().zip(&answer.samples).filter(move |(station, _)| station.sample.line == line);
         there.map(|(_, judged)| *judged)
     };
     assert!(on(2).all(|judged| judged == Judged::Uncovered(Uncovered::Plunge)));

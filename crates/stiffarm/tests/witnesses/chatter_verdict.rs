@@ -1,4 +1,4 @@
-//! What is told of a cut: verdicts only where the interval gives them, the way of counting teeth, and what is refused.
+//! What is reported of a cut: verdicts only where the interval gives them, the way of counting teeth, and what is refused.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -101,8 +101,8 @@ fn what_is_not_covered_is_refused_by_its_name() {
         (Law::Worst(100.0), "chatter of a force in any direction"),
         (Law::FrictionStir { axial: 1.0, traverse: 1.0, side: 0.0, torque: 0.0 }, "chatter of friction stir welding"),
     ] {
-        let told = refused(&Process { law, ..good.clone() }, &ALONG_X);
-        assert!(told.contains(name) && told.contains("expected a flat end mill"), "{told}");
+        let message = refused(&Process { law, ..good.clone() }, &ALONG_X);
+        assert!(message.contains(name) && message.contains("expected a flat end mill"), "{message}");
     }
     assert!(refused(&Process { is_clockwise: false, ..good.clone() }, &ALONG_X).contains("counter-clockwise"));
     assert!(refused(&Process { spindle: None, ..good.clone() }, &ALONG_X).contains("spindle_rpm is missing"));

@@ -26,7 +26,7 @@ const TX200_MASSES: &[(usize, f64, [f64; 3], [f64; 6])] = &[
     (5, 13.6, [0.250, 0.0, 2.459], [0.026, 0.0, 0.0, 0.026, 0.0, 0.016]),
     (6, 0.6, [0.250, 0.0, 2.574], [0.0005, 0.0, 0.0, 0.0005, 0.0, 0.001]),
 ];
-/// Where its published modes are told.
+/// Where its published modes are given.
 pub(crate) const START_DEG: [f64; 6] = [-91.2017, 26.2433, 113.0264, -2.0609, -34.2838, 1.3920];
 
 pub(crate) fn tx200(drive_nm_per_rad: [f64; 6]) -> Robot {
@@ -139,17 +139,17 @@ fn postures_of_every_serial_robot_with_masses_swing_as_two_other_programs_say() 
         // Springs differ by a factor of twenty and masses by thousands: eigenvalues are good to 1e-16 of the largest.
         close(&frequencies(&swing), &numbers("frequency_hz"), 1e-8);
         let shapes = numbers("tip_shapes");
-        for (mode, told) in swing.modes.iter().zip(shapes.chunks(3)) {
-            let told = Vector3::from_column_slice(told);
-            let apart = (mode.tip - told).norm().min((mode.tip + told).norm());
-            assert!(apart < 1e-6 * told.norm().max(1e-3), "{}: {} {told}", cell("robot"), mode.tip);
+        for (mode, shape) in swing.modes.iter().zip(shapes.chunks(3)) {
+            let shape = Vector3::from_column_slice(shape);
+            let apart = (mode.tip - shape).norm().min((mode.tip + shape).norm());
+            assert!(apart < 1e-6 * shape.norm().max(1e-3), "{}: {} {shape}", cell("robot"), mode.tip);
         }
         let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { panic!("six axes") };
         let theta = geometry.model_angles(&six("joints_deg").map(f64::to_radians), limits.third_axis);
         let masses: Vec<Mass> = robot.masses.iter().copied().chain([Mass::held(geometry, &body)]).collect();
-        let (turned, told) = (gravity_torques(geometry, &theta, &masses), six("gravity_nm"));
+        let (turned, expected) = (gravity_torques(geometry, &theta, &masses), six("gravity_nm"));
         // Some thousand N m, of a dozen products each.
-        assert!((turned - nalgebra::Vector6::from(told)).norm() < 1e-9, "{}: {turned} {told:?}", cell("robot"));
+        assert!((turned - nalgebra::Vector6::from(expected)).norm() < 1e-9, "{}: {turned} {expected:?}", cell("robot"));
         count += 1;
     }
     assert_eq!(count, 75);
@@ -402,8 +402,8 @@ fn a_map_has_at_every_point_the_first_frequency_of_its_posture() {
             };
             let q = geometry.reported(theta, stiffarm::limits::ThirdAxis::Elbow);
             let hertz = modes(&robot, &q, &tool, None).unwrap().modes[0].frequency;
-            let told = found.get(i, j).unwrap();
-            assert!((told / hertz - 1.0).abs() < 2e-3, "{at}: {told} {hertz}");
+            let value = found.get(i, j).unwrap();
+            assert!((value / hertz - 1.0).abs() < 2e-3, "{at}: {value} {hertz}");
             count += 1;
         }
     }
@@ -416,7 +416,7 @@ fn a_map_has_at_every_point_the_first_frequency_of_its_posture() {
 
 /// By the axes of the arm itself, over all angles of its wrist: what turns a joint is the length of its column of the Jacobian.
 #[test]
-fn no_angle_of_the_wrist_gives_a_longer_lever_than_is_told_and_some_angle_gives_it() {
+fn no_angle_of_the_wrist_gives_a_longer_lever_than_is_reported_and_some_angle_gives_it() {
     let robot = find("KR 210 R2700-2").unwrap().robot();
     let Arm::SixAxis { geometry, .. } = &robot.arm else { panic!("six axes") };
     let steps = |count: u32| (0..count).map(move |step| f64::from(step) / f64::from(count) * TAU);
@@ -432,11 +432,11 @@ fn no_angle_of_the_wrist_gives_a_longer_lever_than_is_told_and_some_angle_gives_
                 }
             }
         }
-        for (longest, told) in longest.into_iter().zip(geometry.wrist_levers(&point)) {
+        for (longest, bound) in longest.into_iter().zip(geometry.wrist_levers(&point)) {
             // Half a step of 2.5 degrees misses the longest by the square of that, 5e-4.
             assert!(
-                longest <= told + 1e-12 && told * (1.0 - 1e-3) <= longest + 1e-12,
-                "{point:?}: {longest} of {told}"
+                longest <= bound + 1e-12 && bound * (1.0 - 1e-3) <= longest + 1e-12,
+                "{point:?}: {longest} of {bound}"
             );
         }
     }

@@ -39,17 +39,17 @@ fn is_nowhere(field: Field) -> bool {
 /// 0.1 mm up and down every 60 mm: straight lines do not stay straight.
 const WAVES: Field = |p| Vector3::new(0.0, 1e-5, 1e-4 * (p.x * 100.0).sin() + 1e-4 * (p.y * 100.0).cos());
 
-fn told(text: &str, format: Format, options: &ReadOptions, field: Field) -> Result<(String, Rewritten), PathFault> {
-    told_by(&how(&[]), text, format, options, field)
+fn written(text: &str, format: Format, options: &ReadOptions, field: Field) -> Result<(String, Rewritten), PathFault> {
+    written_by(&how(&[]), text, format, options, field)
 }
 
 /// Straight moves that are sampled at their ends only.
 fn by_ends(text: &str, format: Format, field: Field) -> String {
     let how = Rewriting { steps: Steps { longest: 1.0, ..STEPS }, ..how(&[]) };
-    told_by(&how, text, format, &asked(), field).unwrap_or_else(|why| panic!("{why}\n{text}")).0
+    written_by(&how, text, format, &asked(), field).unwrap_or_else(|why| panic!("{why}\n{text}")).0
 }
 
-fn told_by(
+fn written_by(
     how: &Rewriting,
     text: &str,
     format: Format,
@@ -65,7 +65,7 @@ fn told_by(
 
 /// Led elsewhere, and checked: each feed move that goes on from another one lies where the field puts it, and nothing else does.
 fn led(text: &str, format: Format, options: &ReadOptions, field: Field) -> (String, Rewritten) {
-    let (output, rewritten) = told(text, format, options, field).unwrap_or_else(|why| panic!("{why}\n{text}"));
+    let (output, rewritten) = written(text, format, options, field).unwrap_or_else(|why| panic!("{why}\n{text}"));
     let (before, after) = (path(text, format, options), path(&output, format, options));
     assert!(after.iter().all(|one| one.kind == MoveKind::Rapid || one.course == Course::Line), "{output}");
     let feeds: Vec<&Move> = after.iter().filter(|one| one.kind == MoveKind::Feed).collect();
@@ -184,7 +184,7 @@ fn files_that_are_led_elsewhere_read_back_to_where_they_were_led() {
 fn drilling_cycles_stay_as_they_are_and_are_counted() {
     let text = fs::read_to_string(format!("{FOLDER}/drill_g81_g91.nc")).unwrap();
     let options = ReadOptions { incremental_cycles: Some(IncrementalCycles::FromInitial), ..asked() };
-    let (output, rewritten) = told(&text, Format::GCode, &options, ASIDE).unwrap();
+    let (output, rewritten) = written(&text, Format::GCode, &options, ASIDE).unwrap();
     assert_eq!((rewritten.of_cycles, rewritten.changed), (12, 0));
     assert_eq!(body(&output), text.lines().collect::<Vec<_>>());
 }
@@ -294,7 +294,7 @@ fn tool_axes_are_written_where_the_file_has_them() {
             assert!((found.axis - wanted.axis).norm() < 2e-8, "{format:?} {found:?} {wanted:?}\n{output}");
         }
     }
-    // Nothing in this file says an axis: how much is lost is told.
+    // Nothing in this file says an axis: how much is lost is reported.
     let mut output = Vec::new();
     let options = asked();
     let text = "G21 G90 G0 X0 Y0 Z0\nG1 X10 F600\n";
@@ -404,12 +404,12 @@ fn every_sample_is_asked_for_once_and_in_order() {
 fn what_cannot_be_led_elsewhere_is_refused_with_its_line() {
     let nist = ReadOptions { incremental_cycles: Some(IncrementalCycles::Nist), ..asked() };
     let text = "G21 G90 G0 X0 Y0 Z5\nG1 X10 F600\nG91 G81 X5 Z-2 R-1\n";
-    let why = told(text, Format::GCode, &nist, ASIDE).unwrap_err().to_string();
+    let why = written(text, Format::GCode, &nist, ASIDE).unwrap_err().to_string();
     assert!(
         why.starts_with("p:3: G91: a drilling cycle under G91 counts from a place that was corrected by 0.06"),
         "{why}"
     );
-    assert!(told(text, Format::GCode, &nist, NOWHERE).is_ok());
+    assert!(written(text, Format::GCode, &nist, NOWHERE).is_ok());
     for (text, format, expected) in [
         ("G21 G0 X0 Y0 Z0\nG41 G1 X1 F1\n", Format::GCode, "p:2: G41: cutter compensation"),
         ("", Format::GCode, "p: nothing in it moves the tool"),
@@ -417,7 +417,7 @@ fn what_cannot_be_led_elsewhere_is_refused_with_its_line() {
         ("x_mm,y_mm,z_mm\n0,0,0\n0,0\n", Format::Csv, "p:3: the line: 2 cells; expected 3"),
         ("UNITS/MM\nGOTO/0,0,0\nGOTO/1,0,0\n", Format::Apt, "p:3: GOTO: no feed rate"),
     ] {
-        let why = told(text, format, &asked(), ASIDE).unwrap_err().to_string();
+        let why = written(text, format, &asked(), ASIDE).unwrap_err().to_string();
         assert!(why.starts_with(expected), "{why}");
     }
     // Led beyond all measure, or nowhere.
@@ -427,7 +427,7 @@ fn what_cannot_be_led_elsewhere_is_refused_with_its_line() {
             ("UNITS/MM\nFEDRAT/MMPM,6\nGOTO/0,0,0\nGOTO/1,0,0\n", Format::Apt),
             ("x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n", Format::Csv),
         ] {
-            let why = told(text, format, &asked(), field).unwrap_err().to_string();
+            let why = written(text, format, &asked(), field).unwrap_err().to_string();
             assert!(why.contains("as it would be written with corrections"), "{why}");
         }
     }
@@ -447,7 +447,7 @@ impl Write for Full {
 }
 
 #[test]
-fn what_cannot_be_written_is_told_with_the_line() {
+fn what_cannot_be_written_is_reported_with_the_line() {
     let options = asked();
     let original =
         Original { input: &mut "G0 X0 Y0 Z0\n".as_bytes(), file: "p", format: Format::GCode, options: &options };
@@ -485,7 +485,7 @@ fn a_file_with_subprograms_is_not_written_back() {
         "G21 G90 F100\nG0 X0 Y0 Z0\nM98 P2\nM30\nO2\nG1 X1\nM99\n",
         "o1 sub\nG1 X1\no1 endsub\nG21 G90 F100\nG0 X0 Y0 Z0\no1 call\nM2\n",
     ] {
-        let refused = told(text, Format::GCode, &asked(), NOWHERE).unwrap_err().to_string();
+        let refused = written(text, Format::GCode, &asked(), NOWHERE).unwrap_err().to_string();
         assert!(refused.contains("a line of a subprogram may stand for several moves"), "{refused}");
     }
 }

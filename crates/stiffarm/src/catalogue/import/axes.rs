@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Point3, UnitQuaternion, Vector3};
 use super::chain::Chain;
 use super::flange::{Flange, flange};
 use super::joint_axis::Axis;
-use super::{MEETS_M, STRAIGHT_DEG, TOLD_DEG, TOLD_M};
+use super::{MEETS_M, REPORTED_DEG, REPORTED_M, STRAIGHT_DEG};
 use crate::catalogue::reader::Log;
 use crate::geometry::Geometry;
 
@@ -71,11 +71,11 @@ pub(super) fn recover(chain: &Chain, tip: Option<&str>, log: &Log) -> Option<Rec
     let mut left = std::mem::take(&mut flange.left);
     left.extend(leans(&axes));
     let apart = axes[3..].iter().map(|axis| axis.aside(&wrist).norm()).fold(0.0, f64::max);
-    if TOLD_M < apart {
+    if REPORTED_M < apart {
         left.push(format!("the axes 4, 5, 6 pass their common point by up to {:.3} mm", apart * 1e3));
     }
     let is_moved = MEETS_M < foot.norm();
-    if !is_moved && TOLD_M < foot.norm() {
+    if !is_moved && REPORTED_M < foot.norm() {
         left.push(format!("axis 1 stands {:.3} mm beside the origin of link {}", foot.norm() * 1e3, chain.base));
     }
     let moved = if is_moved { foot } else { Vector3::zeros() };
@@ -110,19 +110,19 @@ fn angles(axes: &[Axis; 6]) -> impl Iterator<Item = (usize, &'static str, f64, f
 /// The axes that do not stand as those of an arm with a spherical wrist do.
 fn leaning(axes: &[Axis; 6]) -> Vec<(usize, String)> {
     let judged = angles(axes).filter(|(_, _, found, expected)| !((found - expected).abs() <= STRAIGHT_DEG));
-    let told = judged.map(|(joint, other, found, expected)| {
+    let sentences = judged.map(|(joint, other, found, expected)| {
         let wanted = if expected == 0.0 { "parallel" } else { "at right angles" };
         let name = joint + 1;
         (joint, format!("axis {name} stands at {found:.3} deg to {other}; expected {wanted} within {STRAIGHT_DEG} deg"))
     });
-    told.collect()
+    sentences.collect()
 }
 
 /// The leans that are taken for none.
 fn leans(axes: &[Axis; 6]) -> Vec<String> {
     let small = angles(axes).map(|(joint, other, found, expected)| (joint + 1, other, (found - expected).abs()));
     small
-        .filter(|(_, _, lean)| TOLD_DEG < *lean)
+        .filter(|(_, _, lean)| REPORTED_DEG < *lean)
         .map(|(name, other, lean)| format!("axis {name} leans by {lean:.4} deg against {other}"))
         .collect()
 }

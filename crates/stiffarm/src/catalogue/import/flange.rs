@@ -6,7 +6,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::chain::Chain;
 use super::joint_axis::Axis;
-use super::{MEETS_M, STRAIGHT_DEG, TOLD_DEG, TOLD_M};
+use super::{MEETS_M, REPORTED_DEG, REPORTED_M, STRAIGHT_DEG};
 use crate::catalogue::reader::{Log, shown};
 use crate::spatial::Pose;
 
@@ -95,10 +95,10 @@ pub(super) fn flange(
     let said = onto.axis().map_or(UnitQuaternion::identity(), |about| UnitQuaternion::from_axis_angle(&about, meant));
     let stands = Pose::from_parts(pose.translation, said * pose.rotation);
     let mut left = Vec::new();
-    if TOLD_M < aside(pose) {
+    if REPORTED_M < aside(pose) {
         left.push(format!("link '{}' stands {:.3} mm beside axis 6", shown(name), aside(pose) * 1e3));
     }
-    if meant == square && TOLD_DEG < lean.to_degrees() {
+    if meant == square && REPORTED_DEG < lean.to_degrees() {
         left.push(format!("link '{}' leans by {:.4} deg against axis 6", shown(name), lean.to_degrees()));
     }
     let about = onto.axis().map(|axis| pose.rotation.inverse() * axis.into_inner());

@@ -7,7 +7,7 @@ use super::cover::{Triangle, cover};
 use super::described::Described;
 use super::inertials::Boxes;
 use super::urdf::{attribute, child};
-use super::{ImportError, TOLD_M};
+use super::{ImportError, REPORTED_M};
 use crate::body::{Capsule, Enclosing};
 use crate::catalogue::reader::shown;
 use crate::catalogue::stl::read_stl;
@@ -259,7 +259,7 @@ fn notes_on(triangles: &[Vec<Triangle>; 7], links: &[Vec<Capsule>; 7], grown: &[
         each.collect::<Vec<_>>().join(", ")
     )];
     let most = grown.iter().copied().fold(0.0, f64::max);
-    if TOLD_M < most {
+    if REPORTED_M < most {
         notes.push(format!(
             "bodies: radii are up to {:.2} mm larger, as the robot file moves links otherwise by so much",
             most * 1e3

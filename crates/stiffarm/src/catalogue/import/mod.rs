@@ -51,10 +51,10 @@ pub const LARGEST_ERROR_M: f64 = 0.5e-3;
 pub const LARGEST_TURN_DEG: f64 = 0.05;
 /// Postures at which file and description are compared before the worst of them are made worse.
 pub const SAMPLES: usize = 1000;
-/// What a robot file cannot say of a description is told from here on, m.
-const TOLD_M: f64 = 1e-6;
+/// What a robot file cannot say of a description is reported from here on, m.
+const REPORTED_M: f64 = 1e-6;
 /// And from this angle, deg; 3.1416 for pi is less.
-const TOLD_DEG: f64 = 1e-3;
+const REPORTED_DEG: f64 = 1e-3;
 
 /// What the description does not say, or says otherwise.
 #[derive(Clone, Debug, Default)]
@@ -271,14 +271,15 @@ fn from_urdf(
     let recovered = axes::recover(&chain, between.tip, log);
     let recovered = recovered.ok_or_else(|| ImportError::Class(faults(log.clone(), file)))?;
     let limits = limits.ok_or_else(wrong)?;
-    let mut told = vec![format!("base: the frame of link '{}'", shown(&chain.base)), recovered.flange.note.clone()];
-    told.extend(recovered.notes);
-    told.extend(chain.notes.iter().cloned());
+    let mut remarks = vec![format!("base: the frame of link '{}'", shown(&chain.base)), recovered.flange.note.clone()];
+    remarks.extend(recovered.notes);
+    remarks.extend(chain.notes.iter().cloned());
     // Who has said what it is needs no advice.
     if let (Some(joint), None) = (&chain.elbow_followed, options.architecture) {
-        told.push(format!("links follow joint {joint}: it may be a parallelogram arm; then import it as quasi-serial"));
+        remarks
+            .push(format!("links follow joint {joint}: it may be a parallelogram arm; then import it as quasi-serial"));
     }
-    told.extend(notes);
+    remarks.extend(notes);
     let said = if options.limits.is_some() {
         "given at the import".into()
     } else {
@@ -288,7 +289,7 @@ fn from_urdf(
         name,
         geometry: recovered.geometry,
         limits,
-        notes: told,
+        notes: remarks,
         left: recovered.left,
         compared_with: "the joint frames of the URDF",
         source: [format!("recovered from the joint axes of {}", base_name(file)), said],
@@ -449,7 +450,7 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
 fn dropped(geometry: &Geometry) -> impl Iterator<Item = String> {
     let Geometry { a1, a2, b, c1, c4, .. } = *geometry;
     let short = [("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c4", c4)].into_iter();
-    let short = short.filter(|(_, x)| TOLD_M < x.abs() && x.abs() <= MEETS_M);
+    let short = short.filter(|(_, x)| REPORTED_M < x.abs() && x.abs() <= MEETS_M);
     short.map(|(name, x)| format!("{name} of {:.3} mm, which is taken for none", x * 1e3))
 }
 

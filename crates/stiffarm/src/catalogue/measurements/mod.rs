@@ -10,7 +10,7 @@
 //! | `load_x_mm`, .., `marker_x_mm`, .. | optional: where in the flange frame the load acts and the marker sits |
 //! | `sigma_mm` | optional: standard deviation of the noise of a coordinate |
 //!
-//! Lines that begin with `#` are remarks. Columns of `stiffarm measure` that are not measured are passed over, others are told.
+//! Lines that begin with `#` are remarks. Columns of `stiffarm measure` that are not measured are passed over, others are reported.
 
 mod checks;
 mod columns;

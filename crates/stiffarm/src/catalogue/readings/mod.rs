@@ -7,7 +7,7 @@
 //! | `x1_mm, y1_mm, z1_mm` .. `x4_mm, ..` | up to four points on the flange, as measured; empty where one was not seen |
 //! | `a_deg, b_deg, c_deg`, or another [`Notation`] | optional: the orientation beside the position |
 //!
-//! Lines that begin with `#` are remarks. Every other column is passed over, which is told.
+//! Lines that begin with `#` are remarks. Every other column is passed over, which is reported.
 
 mod columns;
 mod orientation;
@@ -69,7 +69,7 @@ const TURN_IN_RADIANS: f64 = 6.5;
 /// No robot that is measured is so small that all positions lie within this, mm.
 const SMALLEST_MM: f64 = 20.0;
 
-/// Reads a table of readings; `file` is named in errors. Rows that repeat another in every number are left out, which is told.
+/// Reads a table of readings; `file` is named in errors. Rows that repeat another in every number are left out, which is reported.
 ///
 /// # Errors
 /// All faults at once, each with its line, row and column.

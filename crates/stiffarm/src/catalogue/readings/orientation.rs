@@ -31,7 +31,7 @@ impl Notation {
         }
     }
 
-    /// What it is called where it is told how a table was read.
+    /// What it is called where it is reported how a table was read.
     pub const fn about(self) -> &'static str {
         match self {
             Self::Abc => "A, B, C about z, the turned y, the turned x (KUKA)",

@@ -21,7 +21,7 @@ const TOGETHER: usize = 192;
 /// Candidates to choose from.
 pub(super) struct Choice {
     /// `each` columns a candidate, in parts of the noise, over unknowns in parts of what is known of them.
-    pub told: DMatrix<f64>,
+    pub sensitivities: DMatrix<f64>,
     pub each: usize,
     /// `W` over the same unknowns.
     pub weight: DMatrix<f64>,
@@ -44,12 +44,12 @@ pub(super) fn squares(columns: &DMatrix<f64>, share: impl Fn(usize) -> f64 + Syn
 
 impl Choice {
     fn count(&self) -> usize {
-        self.told.ncols() / self.each
+        self.sensitivities.ncols() / self.each
     }
 
     /// The columns of a candidate.
     fn of(&self, i: usize) -> DMatrix<f64> {
-        self.told.columns(self.each * i, self.each).into_owned()
+        self.sensitivities.columns(self.each * i, self.each).into_owned()
     }
 
     /// Those with the largest shares, and their numbers.
@@ -58,13 +58,20 @@ impl Choice {
         order.sort_by(|&i, &j| shares[j].total_cmp(&shares[i]).then(i.cmp(&j)));
         order.truncate(PROMISING.max(least));
         let columns: Vec<_> = order.iter().flat_map(|&i| (0..self.each).map(move |j| self.each * i + j)).collect();
-        (Self { told: self.told.select_columns(&columns), each: self.each, weight: self.weight.clone() }, order)
+        (
+            Self {
+                sensitivities: self.sensitivities.select_columns(&columns),
+                each: self.each,
+                weight: self.weight.clone(),
+            },
+            order,
+        )
     }
 
     /// `(1 + sum M_i)^-1`.
     pub(super) fn covariance(&self, chosen: &[usize]) -> DMatrix<f64> {
         let columns: Vec<usize> = chosen.iter().flat_map(|&i| self.each * i..self.each * (i + 1)).collect();
-        inverse(squares(&self.told.select_columns(&columns), |_| 1.0))
+        inverse(squares(&self.sensitivities.select_columns(&columns), |_| 1.0))
     }
 
     /// `phi`, m^2.
@@ -75,8 +82,8 @@ impl Choice {
     /// By how much `phi` falls with one more of every candidate.
     pub(super) fn gains(&self, covariance: &DMatrix<f64>) -> Vec<f64> {
         self.of_each(covariance, |rows, moved, seen| {
-            let told = DMatrix::identity(self.each, self.each) + rows.tr_mul(&moved);
-            let solved = told.cholesky().map(|root| root.solve(&moved.tr_mul(&seen)).trace());
+            let inner = DMatrix::identity(self.each, self.each) + rows.tr_mul(&moved);
+            let solved = inner.cholesky().map(|root| root.solve(&moved.tr_mul(&seen)).trace());
             solved.unwrap_or(f64::NEG_INFINITY)
         })
     }
@@ -89,7 +96,7 @@ impl Choice {
     ) -> Vec<f64> {
         let all: Vec<usize> = (0..self.count()).collect();
         let of_some = |_, some: &[usize]| {
-            let rows = self.told.columns(self.each * some[0], self.each * some.len());
+            let rows = self.sensitivities.columns(self.each * some[0], self.each * some.len());
             let moved = covariance * rows;
             let seen = &self.weight * &moved;
             let of = |i: usize| {
@@ -105,8 +112,8 @@ impl Choice {
     pub(super) fn without(&self, covariance: &DMatrix<f64>, i: usize) -> Option<DMatrix<f64>> {
         let rows = self.of(i);
         let moved = times(covariance, &rows);
-        let told = DMatrix::identity(self.each, self.each) - rows.tr_mul(&moved);
-        let solved = told.cholesky()?.solve(&moved.transpose());
+        let inner = DMatrix::identity(self.each, self.each) - rows.tr_mul(&moved);
+        let solved = inner.cholesky()?.solve(&moved.transpose());
         let mut found = covariance.clone();
         for (j, column) in moved.column_iter().enumerate() {
             found.ger(1.0, &column, &solved.row(j).transpose(), 1.0);
@@ -160,7 +167,7 @@ impl Choice {
         let mut best = 0.0_f64;
         for _ in 0..MOST_STEPS {
             parts.one_more()?;
-            let covariance = inverse(squares(&self.told, |column| shares[column / self.each]));
+            let covariance = inverse(squares(&self.sensitivities, |column| shares[column / self.each]));
             let value = self.weight.dot(&covariance);
             let slopes = self.of_each(&covariance, |_, moved, seen| moved.dot(&seen));
             let mut sorted = slopes.clone();

@@ -22,7 +22,7 @@ use choice::{Choice, squares};
 
 /// m and rad: what is known of the instrument's frame, and of where the points sit.
 const ROUGHLY: f64 = 1.0;
-/// Of so many postures each, at most, a plan is told besides.
+/// Of so many postures each, at most, a plan is reported besides.
 const COUNTS: [usize; 5] = [10, 20, 40, 70, 100];
 /// Fewer rows are not calibrated by.
 const LEAST: usize = crate::calibrate::LEAST_ROWS;
@@ -92,12 +92,12 @@ pub fn geometry_plan(robot: &Robot, options: &Options, watch: Watch) -> Result<G
     }
     let work: &[[f64; 6]] = if options.work.is_empty() { &candidates } else { &options.work };
     let scale = scale_of_errors(0.5);
-    let told = Sensitivity { frames: &frames, prior: prior_of_errors(scale), markers: &options.markers };
-    let seen = told.rows(work, &options.markers[..1]);
+    let sensitivity = Sensitivity { frames: &frames, prior: prior_of_errors(scale), markers: &options.markers };
+    let seen = sensitivity.rows(work, &options.markers[..1]);
     let weight = squares(&seen.transpose(), |_| 1.0) / work.len() as f64;
     let noise = options.sigma.hypot(options.posture_sigma);
-    let told = told.rows(&candidates, &options.markers).transpose() / noise;
-    let choice = Choice { told, each: 3 * options.markers.len(), weight };
+    let sensitivities = sensitivity.rows(&candidates, &options.markers).transpose() / noise;
+    let choice = Choice { sensitivities, each: 3 * options.markers.len(), weight };
     let (bound, shares) = choice.bound(options.runs, &parts)?;
     let most = COUNTS[COUNTS.len() - 1].max(options.runs).min(candidates.len());
     let (promising, numbers) = choice.promising(&shares, most);

@@ -34,9 +34,9 @@ fn robot() -> Robot {
 
 /// Rows of a few unknowns.
 fn choice(rng: &mut fastrand::Rng, count: usize) -> Choice {
-    let told = DMatrix::from_fn(4, 2 * count, |_, _| 3.0 * (rng.f64() - 0.5));
+    let sensitivities = DMatrix::from_fn(4, 2 * count, |_, _| 3.0 * (rng.f64() - 0.5));
     let half = DMatrix::from_fn(3, 4, |_, _| rng.f64());
-    Choice { told, each: 2, weight: half.transpose() * half }
+    Choice { sensitivities, each: 2, weight: half.transpose() * half }
 }
 
 /// Every three of eight candidates.

@@ -31,7 +31,7 @@ pub struct MillHeld {
     pub measured: Option<MeasuredTip>,
 }
 
-/// Why nothing is told of a sample at which the tool feeds.
+/// Why nothing is reported of a sample at which the tool feeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Uncovered {
     /// The feed is within 60 deg of the tool axis: plunges, drilling cycles.
@@ -59,7 +59,7 @@ impl Uncovered {
     }
 }
 
-/// What is told of one sample.
+/// What is reported of one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Judged {
     /// The tool is led rapidly.
@@ -80,14 +80,15 @@ pub enum Judged {
 pub struct PathChatter {
     /// At every station.
     pub samples: Vec<Judged>,
-    /// The station at which the critical depth is least in proportion to that of its cut, with all that is told of it; `None` where no sample is covered.
+    /// The station at which the critical depth is least in proportion to that of its cut, with all that is reported of it; `None`
+    /// where no sample is covered.
     pub worst: Option<(usize, Chatter)>,
     /// The roll with which its cut would go deepest.
     pub deepest: Option<DeepestRoll>,
 }
 
 impl Judged {
-    /// The critical depth in proportion to that of the cut; `None` where nothing is told.
+    /// The critical depth in proportion to that of the cut; `None` where nothing is reported.
     fn reserve(&self) -> Option<f64> {
         let Self::Cut { critical, depth } = self else { return None };
         Some(critical.edge.map_or(f64::INFINITY, |edge| edge.depth / depth))
@@ -114,7 +115,7 @@ impl Station {
     }
 }
 
-/// That chatter of a process can be told of a robot, before its path is followed.
+/// That chatter of a process can be computed for a robot, before its path is followed.
 ///
 /// # Errors
 /// A robot without masses, what is no flat mill that turns right.

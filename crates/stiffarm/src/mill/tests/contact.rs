@@ -152,7 +152,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
         let agreed = |least: Option<f64>, touches: bool| {
             let least = least.expect("it is reached");
             let asked = clear_of.clearance;
-            // No touch is missed, and none is told of what is farther than is asked by more than the least step.
+            // No touch is missed, and none is reported of what is farther than is asked by more than the least step.
             assert!(touches || asked - 1e-9 <= least, "{least} of {asked} is missed");
             assert!(!touches || least < asked + LEAST, "{least} of {asked} is no touch");
             !touches
@@ -304,8 +304,8 @@ fn what_hangs_on_a_joint_is_no_farther_from_its_axis_than_is_said() {
     }
 }
 
-/// A box stands where the spindle would turn: another roll is taken, and nothing is touched. Where it leaves no roll, the path of before is told
-/// with what it touches. By hand: tools that stand upright in a floor that is raised.
+/// A box stands where the spindle would turn: another roll is taken, and nothing is touched. Where it leaves no roll, the path of before is
+/// returned with what it touches. By hand: tools that stand upright in a floor that is raised.
 #[test]
 fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let (robot, one) = (robot(), stand());
@@ -314,12 +314,12 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     assert_eq!(before.clearance, None);
     let tell = |clear_of: ClearOf, roll: RollMode| {
         let found = followed(&one, &stations, &MillOptions { clear_of: Some(clear_of), ..with(roll) });
-        let told = found.clearance.clone().expect("it was asked");
-        (found, told)
+        let clearance = found.clearance.clone().expect("it was asked");
+        (found, clearance)
     };
     // With nothing about, all stays as it was.
-    let (found, told) = tell(clear_of(&[], 0.0), RollMode::Free);
-    assert_eq!((found.samples, &told.contacts), (before.samples.clone(), &Vec::new()));
+    let (found, clearance) = tell(clear_of(&[], 0.0), RollMode::Free);
+    assert_eq!((found.samples, &clearance.contacts), (before.samples.clone(), &Vec::new()));
     // A box that reaches 20 mm into the wrist of the middle sample of the best constant roll, from one side or the other.
     let constant = followed(&one, &stations, &with(RollMode::Constant));
     let crate::robot::Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!() };
@@ -335,8 +335,11 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let there = there.into_iter().find(|there| tell(there.clone(), RollMode::Constant).1.contacts.is_empty());
     let there = there.expect("a side from which another roll leads");
     for roll in [RollMode::Free, RollMode::Constant, RollMode::Linear] {
-        let (found, told) = tell(there.clone(), roll);
-        assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{roll:?}: {told:?}");
+        let (found, clearance) = tell(there.clone(), roll);
+        assert!(
+            clearance.contacts.is_empty() && 0.01 <= clearance.nearest.unwrap().distance,
+            "{roll:?}: {clearance:?}"
+        );
         assert!(before.lower_bound * (1.0 - 1e-9) <= found.worst.0 && found.lower_bound <= found.worst.0);
         let witness = Witness::new(&robot, &one, &there);
         for i in 1..stations.len() {
@@ -344,20 +347,21 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
             assert!(0.01 <= witness.least([end(i - 1), end(i)]).unwrap(), "{roll:?}: {i}");
         }
         // Every station tells the distance of its own posture.
-        assert_eq!(told.at.len(), stations.len());
-        for (i, near) in told.at.iter().enumerate() {
+        assert_eq!(clearance.at.len(), stations.len());
+        for (i, near) in clearance.at.iter().enumerate() {
             let known = witness.distance(&stations[i].sample.pose, found.samples[i].arrangement).unwrap();
             assert!((near.unwrap().distance - known).abs() < 1e-9, "{roll:?}: {i}");
         }
     }
     // The roll of before touches it, and says where.
     let at = constant.samples[0].arrangement.roll;
-    let (_, told) = tell(there.clone(), RollMode::Fixed(at));
-    let deepest = |told: &PathClearance| *told.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth)).unwrap();
-    let contact = deepest(&told);
+    let (_, clearance) = tell(there.clone(), RollMode::Fixed(at));
+    let deepest =
+        |clearance: &PathClearance| *clearance.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth)).unwrap();
+    let contact = deepest(&clearance);
     assert_eq!(contact.to, Obstacle::KeepOut(1), "{contact:?}");
     assert!(0.01 < contact.depth, "{contact:?}");
-    assert!((told.nearest.unwrap().distance - (0.01 - contact.depth)).abs() < 1e-12);
+    assert!((clearance.nearest.unwrap().distance - (0.01 - contact.depth)).abs() < 1e-12);
     // The same box as the triangles of a part touches as deep, and the same ways are clear of it.
     let as_part =
         ClearOf { part: Some(mesh_of(&there, &one)), cell: Some(Cell::of(Mount::pedestal(0.0))), ..there.clone() };
@@ -365,32 +369,35 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let of_part = deepest(&of_part);
     assert_eq!((of_part.to, of_part.link, of_part.station), (Obstacle::Part, contact.link, contact.station));
     assert!((of_part.depth - contact.depth).abs() < 1e-6, "{of_part:?} {contact:?}");
-    let (_, told) = tell(as_part, RollMode::Constant);
-    assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{told:?}");
+    let (_, clearance) = tell(as_part, RollMode::Constant);
+    assert!(clearance.contacts.is_empty() && 0.01 <= clearance.nearest.unwrap().distance, "{clearance:?}");
     // A floor above the tip: no roll helps, and all of the path touches.
     let flooded =
         ClearOf { clearance: 0.0, cell: None, floor: Some(0.65), part: None, stock: None, fixture: None, cutter: None };
-    let (found, told) = tell(flooded, RollMode::Free);
+    let (found, clearance) = tell(flooded, RollMode::Free);
     assert!(found.worst.0 <= before.worst.0 * (1.0 + 1e-9) && found.touches());
     // By hand: the upper arm reaches down from the joint-2 axis by its radius, at every sample.
-    let contact = deepest(&told);
-    assert!(told.contacts.len() == 1 && contact.to == Obstacle::Floor && contact.link == Link::UpperArm, "{told:?}");
+    let contact = deepest(&clearance);
+    assert!(
+        clearance.contacts.len() == 1 && contact.to == Obstacle::Floor && contact.link == Link::UpperArm,
+        "{clearance:?}"
+    );
     let by_hand = 0.65 - (geometry.c1 - robot.thickness().0.upper_arm);
     assert!((contact.depth - by_hand).abs() < 1e-9, "{} {by_hand}", contact.depth);
-    assert!((told.nearest.unwrap().distance + contact.depth).abs() < 1e-12);
+    assert!((clearance.nearest.unwrap().distance + contact.depth).abs() < 1e-12);
     // One inside of which nine arms in ten lie by its own.
-    let wide = told.nearest.unwrap().wide.unwrap();
+    let wide = clearance.nearest.unwrap().wide.unwrap();
     let t = robot.payload_kg.unwrap().powf(0.125) * robot.reach.unwrap().sqrt();
     let wide_by_hand = geometry.c1 - 0.165 * t - 0.65;
     assert!((wide.distance - wide_by_hand).abs() < 1e-9 && wide.link == Link::UpperArm, "{wide:?} {wide_by_hand}");
     // And so it does at whatever roll; where some path is clear nothing is unavoidable.
-    let unavoidable = told.unavoidable.unwrap();
+    let unavoidable = clearance.unavoidable.unwrap();
     assert!((unavoidable.depth - by_hand).abs() < 1e-9 && unavoidable.to == Obstacle::Floor, "{unavoidable:?}");
     assert!(tell(there, RollMode::Free).1.unavoidable.is_none());
 }
 
-/// Boxes about the flange of a path that looks at nothing, which wide bodies touch: where a path is told to be clear of them, many places between its
-/// samples are; where not, the path is the one that the slim links alone have.
+/// Boxes about the flange of a path that looks at nothing, which wide bodies touch: where a path is reported to be clear of them, many
+/// places between its samples are; where not, the path is the one that the slim links alone have.
 #[test]
 fn a_path_is_sought_that_wide_bodies_keep_clear_of() {
     let (robot, one) = (robot(), stand());
@@ -410,17 +417,17 @@ fn a_path_is_sought_that_wide_bodies_keep_clear_of() {
         let about = clear_of(&[block(side(0), side(1), side(2))], asked);
         let options = MillOptions { clear_of: Some(about.clone()), ..with(RollMode::Free) };
         let found = followed(&one, &stations, &options);
-        let told = found.clearance.as_ref().unwrap();
-        let wide = told.nearest.unwrap().wide.unwrap();
+        let clearance = found.clearance.as_ref().unwrap();
+        let wide = clearance.nearest.unwrap().wide.unwrap();
         let witness = Witness::new(&robot, &one, &about);
         let ends = |i: usize| [i - 1, i].map(|i| (&stations[i].sample.pose, found.samples[i].arrangement));
         let least = (1..stations.len()).map(|i| witness.least_wide(ends(i)).unwrap()).fold(f64::INFINITY, f64::min);
         let before_is =
             before.samples.iter().map(|one| witness.wide(&theta(&one.joints))).fold(f64::INFINITY, f64::min);
         assert!(before_is < asked, "{before_is}");
-        // Nothing between the samples is nearer than is told, but for what the rule of steps may deny.
+        // Nothing between the samples is nearer than is reported, but for what the rule of steps may deny.
         assert!((wide.distance - least).abs() < LEAST, "{} {least}", wide.distance);
-        assert!(found.lower_bound <= found.worst.0 && told.contacts.is_empty());
+        assert!(found.lower_bound <= found.worst.0 && clearance.contacts.is_empty());
         if asked <= wide.distance {
             assert!(asked - 1e-9 <= least, "{least}");
             led_aside += 1;
@@ -481,26 +488,26 @@ fn a_block_stands_in_the_way_until_it_is_cut() {
         };
         (found.clearance.unwrap(), stations)
     };
-    let (told, stations) = tell(&shallow, 0.04, Some(0.04));
-    assert!(told.contacts.is_empty(), "{:?}", told.contacts);
-    let nearest = told.nearest.unwrap();
+    let (clearance, stations) = tell(&shallow, 0.04, Some(0.04));
+    assert!(clearance.contacts.is_empty(), "{:?}", clearance.contacts);
+    let nearest = clearance.nearest.unwrap();
     assert_eq!((nearest.link, nearest.to), (Link::Tool, Obstacle::Stock));
     // The first way is 20 mm above it, the second one 15; half a cell's diagonal is no matter of heights.
     assert!((nearest.distance - 0.015).abs() < 1e-6, "{nearest:?}");
     let first = stations.iter().position(|station| 0.01 < station.sample.pose.tip.x && station.sample.pose.tip.z < 0.0);
-    assert!((told.at[first.unwrap()].unwrap().distance - 0.02).abs() < 1e-6);
+    assert!((clearance.at[first.unwrap()].unwrap().distance - 0.02).abs() < 1e-6);
     // At once so deep, and in another order, the spindle runs into it.
     for depths in [&[-0.045][..], &[-0.045, -0.02]] {
-        let (told, stations) = tell(depths, 0.04, Some(0.04));
-        let contact = told.contacts[0];
+        let (clearance, stations) = tell(depths, 0.04, Some(0.04));
+        let contact = clearance.contacts[0];
         assert_eq!((contact.link, contact.to), (Link::Tool, Obstacle::Stock));
         assert!(stations[contact.station].sample.pose.tip.z < -0.04, "{contact:?}");
-        let deepest = told.contacts.iter().map(|contact| contact.depth).fold(0.0, f64::max);
-        assert!((deepest - 0.005).abs() < 1e-5, "{:?}", told.contacts);
+        let deepest = clearance.contacts.iter().map(|contact| contact.depth).fold(0.0, f64::max);
+        assert!((deepest - 0.005).abs() < 1e-5, "{:?}", clearance.contacts);
     }
     // The walls beside a slot.
-    let (told, stations) = tell(&shallow, 0.1, Some(0.04));
-    let contact = told.contacts[0];
+    let (clearance, stations) = tell(&shallow, 0.1, Some(0.04));
+    let contact = clearance.contacts[0];
     assert!(contact.to == Obstacle::Stock && stations[contact.station].sample.pose.tip.z < -0.04, "{contact:?}");
     // A cutter of which it is not known where it ends touches what it likes.
     assert!(tell(&shallow, 0.1, None).0.contacts.iter().all(|contact| contact.to != Obstacle::Stock));
@@ -558,9 +565,9 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
     assert_eq!(tell_with(0.03, 0.005, true, (R, slim)).nearest, tell(0.03, 0.005, true, R).nearest);
 }
 
-/// Nothing keeps a metre from the floor: the path that touches nothing is told, with what is nearer than was asked.
+/// Nothing keeps a metre from the floor: the path that touches nothing is returned, with what is nearer than was asked.
 #[test]
-fn where_too_much_is_asked_the_best_that_touches_nothing_is_told() {
+fn where_too_much_is_asked_the_best_that_touches_nothing_is_returned() {
     let (one, stations) = (stand(), path("line:0.3", KNOWN));
     let tell = |clearance: f64| {
         let about = clear_of(&[block([1.3, 1.36], [0.2, 0.26], [1.0, 1.06])], clearance);
@@ -592,13 +599,13 @@ fn what_a_round_tool_touches_between_samples_is_touched_at_every_roll() {
         cutter: Some(Cutter { length: 0.04, radius: R, shank: None }),
         ..clear_of(&[], 0.0)
     };
-    let told = followed(&stand, &stations, &MillOptions { clear_of: Some(about), ..with(RollMode::Free) });
-    let told = told.clearance.unwrap();
-    let unavoidable = told.unavoidable.expect("no roll avoids it");
+    let found = followed(&stand, &stations, &MillOptions { clear_of: Some(about), ..with(RollMode::Free) });
+    let clearance = found.clearance.unwrap();
+    let unavoidable = clearance.unavoidable.expect("no roll avoids it");
     // Of 32 places between two samples 0.1 m apart one is nearer to the middle than 3.2 mm.
     assert!(unavoidable.station == 2 && unavoidable.link == Link::Cutter, "{unavoidable:?}");
     assert!((R - 0.0033..=R + 1e-6).contains(&unavoidable.depth), "{unavoidable:?}");
-    assert!((told.nearest.unwrap().distance + unavoidable.depth).abs() < 1e-3, "{:?}", told.nearest);
+    assert!((clearance.nearest.unwrap().distance + unavoidable.depth).abs() < 1e-3, "{:?}", clearance.nearest);
 }
 
 /// A spindle across axis 6 that stands on its own axis.
@@ -662,9 +669,9 @@ fn a_round_tool_is_as_near_as_the_whole_arm_has_it() {
         let witness = Witness::new(&robot, &one, &about);
         let options = MillOptions { clear_of: Some(about), ..with(RollMode::Constant) };
         let found = followed(&one, &stations, &options);
-        let told = found.clearance.unwrap();
+        let answer = found.clearance.unwrap();
         let mut touches_between = false;
-        for (i, near) in told.at.iter().enumerate() {
+        for (i, near) in answer.at.iter().enumerate() {
             let end = |i: usize| (&stations[i].sample.pose, found.samples[i].arrangement);
             let near = near.unwrap().distance;
             let known = witness.distance(end(i).0, end(i).1).unwrap();
@@ -672,21 +679,24 @@ fn a_round_tool_is_as_near_as_the_whole_arm_has_it() {
             assert!(near < known + 1e-9, "{near} {known}");
             if let Some(before) = i.checked_sub(1) {
                 let least = witness.least([end(before), end(i)]).unwrap();
-                let told = near.min(told.at[before].unwrap().distance);
-                assert!(clearance - 1e-9 <= least || told < clearance + 1e-4, "{i}: {least} of {clearance} is missed");
+                let nearer = near.min(answer.at[before].unwrap().distance);
+                assert!(
+                    clearance - 1e-9 <= least || nearer < clearance + 1e-4,
+                    "{i}: {least} of {clearance} is missed"
+                );
                 // Between places of the subdivision it moves by some mm.
                 assert!(!is_on_way || (least - near).abs() < 5e-3, "{i}: {least} {near}");
             }
             touches_between |= is_on_way;
         }
-        match (told.contacts.is_empty(), touches_between) {
+        match (answer.contacts.is_empty(), touches_between) {
             (true, _) => clear += 1,
             (_, true) => between += 1,
             _ => at_samples += 1,
         }
         // Of the whole path the roll changes nothing of what the tool touches.
-        for contact in told.contacts.iter().filter(|contact| contact.link == Link::Tool) {
-            assert!(contact.depth <= told.unavoidable.unwrap().depth);
+        for contact in answer.contacts.iter().filter(|contact| contact.link == Link::Tool) {
+            assert!(contact.depth <= answer.unavoidable.unwrap().depth);
         }
     }
     assert!(10 < clear && 3 < between && 20 < at_samples, "{clear} {between} {at_samples}");
@@ -716,13 +726,14 @@ fn the_arm_is_led_aside_where_the_tool_touches_at_every_roll() {
     assert!(!clear.touches() && clear.samples != before.samples, "{:?}", clear.clearance);
     let touching = tell(&[about(wrist), post]);
     assert_eq!(touching.samples, clear.samples);
-    let told = touching.clearance.unwrap();
-    assert!(!told.contacts.is_empty());
-    assert!(told.contacts.iter().all(|contact| (contact.link, contact.to) == (Link::Tool, Obstacle::KeepOut(2))));
-    assert!((told.unavoidable.unwrap().depth + told.nearest.unwrap().distance).abs() < 1e-12);
+    let clearance = touching.clearance.unwrap();
+    assert!(!clearance.contacts.is_empty());
+    assert!(clearance.contacts.iter().all(|contact| (contact.link, contact.to) == (Link::Tool, Obstacle::KeepOut(2))));
+    assert!((clearance.unavoidable.unwrap().depth + clearance.nearest.unwrap().distance).abs() < 1e-12);
 }
 
-/// By hand: a cutter passes a tenth of a millimetre beside a clamp all along it. That is no touch, and it is told exactly; three hundredths are one.
+/// By hand: a cutter passes a tenth of a millimetre beside a clamp all along it. That is no touch, and its distance is reported
+/// exactly; three hundredths are one.
 #[test]
 fn a_gap_of_a_tenth_of_a_millimetre_is_a_gap() {
     const R: f64 = 0.025;
@@ -736,9 +747,9 @@ fn a_gap_of_a_tenth_of_a_millimetre_is_a_gap() {
         let options = MillOptions { clear_of: Some(about), ..with(RollMode::Free) };
         followed(&round(), &stations, &options).clearance.unwrap()
     };
-    let told = tell(1e-4);
-    let nearest = told.nearest.unwrap();
-    assert!(told.contacts.is_empty() && (nearest.distance - 1e-4).abs() < 1e-7, "{told:?}");
-    let told = tell(3e-5);
-    assert!(told.contacts.iter().all(|contact| contact.link == Link::Cutter) && !told.contacts.is_empty());
+    let clearance = tell(1e-4);
+    let nearest = clearance.nearest.unwrap();
+    assert!(clearance.contacts.is_empty() && (nearest.distance - 1e-4).abs() < 1e-7, "{clearance:?}");
+    let clearance = tell(3e-5);
+    assert!(clearance.contacts.iter().all(|contact| contact.link == Link::Cutter) && !clearance.contacts.is_empty());
 }

@@ -1,4 +1,4 @@
-//! What is told of a path, against what single postures, other paths and hand calculations say.
+//! What is reported of a path, against what single postures, other paths and hand calculations say.
 
 mod contact;
 mod pins;
@@ -434,11 +434,11 @@ fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
         let stations =
             forced(&moves, &Steps::USUAL, &Forcing::Process(process), None, Watch::nobody()).unwrap().stations;
         let found = followed(&stand(), &stations, &with(RollMode::Free));
-        let told = fed_back(&robot(), &stand(), (&stations, &found.samples), ErrorPart::Total, Watch::nobody())
+        let answer = fed_back(&robot(), &stand(), (&stations, &found.samples), ErrorPart::Total, Watch::nobody())
             .unwrap()
             .unwrap();
-        assert_eq!(told.unsettled, 0);
-        assert!(0.01 < told.contraction && told.contraction < 0.9, "{}", told.contraction);
+        assert_eq!(answer.unsettled, 0);
+        assert!(0.01 < answer.contraction && answer.contraction < 0.9, "{}", answer.contraction);
         let mut worst = 0.0_f64;
         for (station, pushed) in stations.iter().zip(&found.samples) {
             let Some(Acting::Known { force, moment }) = station.acting else { panic!("it is cut all along") };
@@ -454,8 +454,8 @@ fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
             }
             worst = worst.max(moved.norm());
         }
-        assert!((told.worst / worst - 1.0).abs() < 1e-9, "{side}: {} {worst}", told.worst);
-        errors.push(told.worst / found.worst.0);
+        assert!((answer.worst / worst - 1.0).abs() < 1e-9, "{side}: {} {worst}", answer.worst);
+        errors.push(answer.worst / found.worst.0);
     }
     assert!(errors.iter().any(|error| (error - 1.0).abs() > 0.005), "nothing is fed back: {errors:?}");
     // A force that is given has no cut.
@@ -464,8 +464,8 @@ fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
     assert_eq!(fed_back(&robot(), &stand(), (&stations, &found.samples), ErrorPart::Total, Watch::nobody()), Ok(None));
 }
 
-/// A normal across the feed counts what `across` counts; a slanting one, which is told in the part's axes, the part of the displacement along it,
-/// bounded and compensated like the others. Where none is told nothing is answered.
+/// A normal across the feed counts what `across` counts; a slanting one, which is given in the part's axes, the part of the displacement
+/// along it, bounded and compensated like the others. Where none is given nothing is answered.
 #[test]
 fn the_error_along_a_normal_is_the_part_of_the_displacement_along_it() {
     // Feeds in all directions: the axes of the cut are not those of the part.
@@ -485,8 +485,8 @@ fn the_error_along_a_normal_is_the_part_of_the_displacement_along_it() {
     let normal = stand().base_from_part.rotation * slanting;
     for (pushed, station) in found.samples.iter().zip(&slanted) {
         let along = pushed.moved.unwrap().dot(&normal);
-        let told = pushed.normal(&stand(), &station.sample).unwrap();
-        assert!((told - along).abs() < 1e-15 && (pushed.error - along.abs()).abs() < 1e-15);
+        let along_normal = pushed.normal(&stand(), &station.sample).unwrap();
+        assert!((along_normal - along).abs() < 1e-15 && (pushed.error - along.abs()).abs() < 1e-15);
     }
     assert!(found.samples.iter().any(|pushed| pushed.error < 0.999 * pushed.moved.unwrap().norm()));
     assert!(0.5 * found.worst.0 < found.lower_bound && found.lower_bound <= found.worst.0, "{:?}", found.lower_bound);
@@ -632,7 +632,7 @@ fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
         remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn), Watch::nobody()).unwrap();
     let most = softer.iter().copied().fold(0.0, f64::max);
     assert!((left.p95 / most - 1.0).abs() < 0.01 && left.median == left.p95 && left.all.len() == 1, "{left:?} {most}");
-    assert!(left.along.iter().zip(&softer).all(|(told, found)| (told - found).abs() < 0.01 * most));
+    assert!(left.along.iter().zip(&softer).all(|(reported, found)| (reported - found).abs() < 0.01 * most));
     assert_eq!(done.left_by_tips.len(), stations.len());
     let any = path("line:0.1", Acting::Any(100.0));
     let held = followed(&stand, &any, &with(RollMode::Constant));
@@ -667,8 +667,8 @@ fn what_an_identification_did_not_explain_is_left_by_compensation() {
     let left =
         remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn), Watch::nobody()).unwrap();
     let missed = 0.25 * found.worst.0 / 3.0_f64.sqrt();
-    for (told, by_hand) in [(left.p95, 2.795 * missed), (left.median, 1.538 * missed)] {
-        assert!((told / by_hand - 1.0).abs() < 0.05, "{told:e} {by_hand:e}");
+    for (value, by_hand) in [(left.p95, 2.795 * missed), (left.median, 1.538 * missed)] {
+        assert!((value / by_hand - 1.0).abs() < 0.05, "{value:e} {by_hand:e}");
     }
     // What is there without compensation has the same error about the deflection: along it 1.645 standard deviations.
     let i = found.worst.1;

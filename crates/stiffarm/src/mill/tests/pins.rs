@@ -65,7 +65,7 @@ fn a_path_that_is_pinned_all_along_is_that_of_a_fixed_roll() {
 }
 
 #[test]
-fn a_pin_that_nothing_holds_is_told_as_such_and_odd_pins_are_refused() {
+fn a_pin_that_nothing_holds_is_reported_as_such_and_odd_pins_are_refused() {
     let (robot, stand) = (robot(), stand());
     let stations = path("circle:0.3", KNOWN);
     let is_held = |roll: &f64| errors_at(&robot, &stand, &stations[0], *roll).iter().any(|error| error.is_finite());

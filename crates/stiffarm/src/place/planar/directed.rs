@@ -25,7 +25,7 @@ use crate::task::Zone;
 pub(super) struct Effort {
     gap: f64,
     most_parts: usize,
-    /// What is proved is told, rather than what is found.
+    /// What is proved is reported, rather than what is found.
     is_proved: bool,
 }
 

@@ -16,7 +16,7 @@ use crate::tolerances;
 use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement};
 
-/// Relative distance between value and bound at which the proof is good enough: less than 1 % is told.
+/// Relative distance between value and bound at which the proof is good enough: less than 1 % is stated.
 const GAP: f64 = 0.0099;
 /// Poses that are enclosed before the proof stops with the bound it has: about a second.
 const MOST_POSES: usize = 400_000;
@@ -387,7 +387,7 @@ mod tests {
         }
     }
 
-    /// Forces of known direction: what is told is what the postures there have, and no other place lies under the bound.
+    /// Forces of known direction: what is reported is what the postures there have, and no other place lies under the bound.
     #[test]
     fn places_under_known_forces_are_proved_too() {
         let milling = Load::along_tool([300.0, 100.0, 50.0], None).unwrap();

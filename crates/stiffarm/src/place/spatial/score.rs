@@ -94,7 +94,7 @@ mod tests {
     use crate::task::Zone;
     use crate::watch::Watch;
 
-    /// Below a bound a place has the score that it has without one, and what has reached it is not told to lie below.
+    /// Below a bound a place has the score that it has without one, and what has reached it is not reported to lie below.
     #[test]
     fn a_score_is_exact_below_the_bound_and_not_below_it_elsewhere() {
         let mut rng = fastrand::Rng::with_seed(31);

@@ -83,7 +83,7 @@ impl Circle {
         if !(closing.holds(miss, radii[0].max(radii[1])) && 1e-9 < radii[0]) {
             let [a, b, said] = radii.map(|radius| radius * 1e3);
             let why = format!(
-                "the arc does not close: its radius is {a:.4} mm at its beginning and {b:.4} mm at its end, told as {said:.4} mm"
+                "the arc does not close: its radius is {a:.4} mm at its beginning and {b:.4} mm at its end, stated as {said:.4} mm"
             );
             return Err(wrong(why));
         }
@@ -102,7 +102,7 @@ impl Circle {
         };
         // A cutter that cleans a corner turns back in a short arc; the other sense would sweep over most of a turn.
         let cleans_corner = |sense: ArcSense| sweep(sense).1 < FRAC_PI_2;
-        let (sense, told) = match (asked, self.sense.or(by_dialect), by_tangent) {
+        let (sense, note) = match (asked, self.sense.or(by_dialect), by_tangent) {
             (Some(asked), _, _) => (
                 asked,
                 if asked == ArcSense::LeftHand {
@@ -134,6 +134,6 @@ impl Circle {
             }
         };
         let (normal, angle) = sweep(sense);
-        Ok((Arc { centre: self.centre, normal, angle }, miss, told))
+        Ok((Arc { centre: self.centre, normal, angle }, miss, note))
     }
 }

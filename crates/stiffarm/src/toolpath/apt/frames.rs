@@ -106,7 +106,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Some point was told.
+    /// Some point was given.
     fn has_points(&self) -> bool {
         self.has_moved || self.tip.is_some()
     }

@@ -190,7 +190,7 @@ impl<'a> Reader<'a> {
             "GODLTA" => {
                 let d = statement.numbers(&[3])?;
                 let from =
-                    self.tip.ok_or_else(|| Wrong::new(name, "it counts from a place that the file has not told"))?;
+                    self.tip.ok_or_else(|| Wrong::new(name, "it counts from a place that the file has not given"))?;
                 let d = self.part_from_coordinates.rotation * Vector3::new(d[0], d[1], d[2]) * self.unit.metres();
                 self.go_to(from + d, line, name)
             }
@@ -331,7 +331,7 @@ impl<'a> Reader<'a> {
         let is_rapid = std::mem::take(&mut self.is_rapid);
         let Some(from) = self.tip else {
             if self.circle.is_some() {
-                return Err(Wrong::new("CIRCLE", "where the arc begins is not told; expected a GOTO before it"));
+                return Err(Wrong::new("CIRCLE", "where the arc begins is not given; expected a GOTO before it"));
             }
             // From where the tool comes is not in the file.
             self.apart += 1;
@@ -348,10 +348,10 @@ impl<'a> Reader<'a> {
                     Some(Dialect::Solidworks) => Some(ArcSense::RightHand),
                     None => None,
                 };
-                let (arc, miss, told) =
+                let (arc, miss, note) =
                     circle.arc(&from.tip, &to.tip, self.tangent, self.options.arc_sense, by_dialect)?;
                 self.arc_miss = self.arc_miss.max(miss);
-                self.notes.assume(line, told);
+                self.notes.assume(line, note);
                 Course::Arc(arc)
             }
         };

@@ -30,7 +30,7 @@ pub(in super::super) struct Rewriter<'a> {
 struct Point<'t> {
     name: &'t str,
     /// Numbers as they stand.
-    told: Vec<&'t str>,
+    numbers: Vec<&'t str>,
     remark: &'t str,
 }
 
@@ -73,8 +73,8 @@ impl<'a> Rewriter<'a> {
         let moves = moves.take();
         let name = statement.split('/').next().unwrap_or_default().trim().to_ascii_uppercase();
         let is_point = matches!(name.as_str(), "GOTO" | "GODLTA") && self.original.cycle.is_none();
-        let told = text.split_once("$$").map_or("", |(_, told)| told);
-        let point = || Point::of(&statement, told);
+        let comment = text.split_once("$$").map_or("", |(_, comment)| comment);
+        let point = || Point::of(&statement, comment);
         let statements = match moves[..] {
             [one] if is_point && one.kind == MoveKind::Feed => Some(self.led(&point(), &one, path)?),
             [] if is_point && !was_rapid && self.written.tip.is_some() && self.written.tip != self.original.tip => {
@@ -166,7 +166,7 @@ impl<'a> Rewriter<'a> {
 
     /// The statements through the places of a feed move; none where the one that stands there says it.
     fn led(&mut self, point: &Point, one: &Move, path: &mut Corrections) -> Result<Vec<Vec<u8>>, Wrong> {
-        self.has_vectors |= point.told.len() == 6;
+        self.has_vectors |= point.numbers.len() == 6;
         let tilts = self.has_vectors && point.name != "GODLTA";
         let start = self.written.tip.map(|tip| self.standing(tip));
         let places = path.through(one, |first| start.unwrap_or(*first), tilts);
@@ -176,14 +176,15 @@ impl<'a> Rewriter<'a> {
     fn statements(&mut self, point: &Point, places: &[Place]) -> Result<Vec<Vec<u8>>, Wrong> {
         let mut statements = Vec::new();
         for (i, place) in places.iter().enumerate() {
-            let told = self.numbers(point, place);
-            let is_same = told.iter().zip(&point.told).all(|(a, b)| a == b) && told.len() == point.told.len();
+            let numbers = self.numbers(point, place);
+            let is_same =
+                numbers.iter().zip(&point.numbers).all(|(a, b)| a == b) && numbers.len() == point.numbers.len();
             if is_same && places.len() == 1 {
                 return Ok(Vec::new());
             }
             let remark =
                 if i == 0 && !point.remark.is_empty() { format!(" $${}", point.remark) } else { String::new() };
-            let text = format!("{}/{}{remark}", point.name, told.join(",")).into_bytes();
+            let text = format!("{}/{}{remark}", point.name, numbers.join(",")).into_bytes();
             self.written.line(&text, 0).map_err(refused_as_written)?;
             statements.push(text);
         }
@@ -199,10 +200,10 @@ impl<'a> Rewriter<'a> {
             Some(tip) => frame.rotation * (place.pose.tip - tip),
             None => (frame * Point3::from(place.pose.tip)).coords,
         };
-        let stands = |at: usize| point.told.get(at).and_then(|told| told.parse::<f64>().ok());
-        let mut told: Vec<String> = (0..3)
+        let stands = |at: usize| point.numbers.get(at).and_then(|number| number.parse::<f64>().ok());
+        let mut numbers: Vec<String> = (0..3)
             .map(|at| match stands(at) {
-                Some(number) if lengths.are_alike(number * lengths.unit, wanted[at]) => point.told[at].to_owned(),
+                Some(number) if lengths.are_alike(number * lengths.unit, wanted[at]) => point.numbers[at].to_owned(),
                 _ => lengths.written(wanted[at]),
             })
             .collect();
@@ -215,11 +216,13 @@ impl<'a> Rewriter<'a> {
             between(&ToolPose { axis: axis_said, ..place.pose }, &ToolPose { axis, ..place.pose })
         };
         match said {
-            Some(said) if off(said) <= SAME_AXIS => told.extend(point.told[3..].iter().map(|&told| told.to_owned())),
+            Some(said) if off(said) <= SAME_AXIS => {
+                numbers.extend(point.numbers[3..].iter().map(|&number| number.to_owned()));
+            }
             None if off(frame.rotation * self.written.axis) <= SAME_AXIS => {}
-            _ => told.extend(axis.iter().map(|part| number(*part, OF_AXIS))),
+            _ => numbers.extend(axis.iter().map(|part| number(*part, OF_AXIS))),
         }
-        told
+        numbers
     }
 }
 
@@ -231,6 +234,6 @@ fn text_of(line: &[u8]) -> &[u8] {
 impl<'t> Point<'t> {
     fn of(statement: &'t str, remark: &'t str) -> Self {
         let (name, numbers) = statement.split_once('/').unwrap_or((statement, ""));
-        Self { name: name.trim(), told: numbers.split(',').map(str::trim).collect(), remark }
+        Self { name: name.trim(), numbers: numbers.split(',').map(str::trim).collect(), remark }
     }
 }

@@ -37,14 +37,14 @@ impl Reader<'_> {
     /// `SPINDL/`: turns a minute, unless it tells the speed of a surface.
     pub(super) fn take_spindle(&mut self, statement: &Statement) {
         let is_of_surface = statement.words().any(|word| matches!(word, "SFM" | "SMM"));
-        let told = statement.first_number().filter(|_| !is_of_surface);
-        self.spindle = if is_of_surface { None } else { told.or(self.spindle) };
+        let turns = statement.first_number().filter(|_| !is_of_surface);
+        self.spindle = if is_of_surface { None } else { turns.or(self.spindle) };
     }
 
     /// The feed rate in force, m/s.
     ///
     /// # Errors
-    /// Where there is none, or it is per turn and no turns are told.
+    /// Where there is none, or it is per turn and no turns are given.
     pub(super) fn speed(&self, word: &str) -> Result<f64, Wrong> {
         match (self.feed, self.options.feed) {
             (Some(Feed::Steady(feed)), _) | (None, Some(feed)) => Ok(feed),

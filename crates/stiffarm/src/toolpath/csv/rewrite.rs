@@ -164,7 +164,7 @@ impl<'a> Rewriter<'a> {
                 row.push(self.original.separator);
             }
             let column = self.original.columns.get(i).copied().unwrap_or(Column::Inert);
-            let told = match (column, axis_of(column, has_axis)) {
+            let new = match (column, axis_of(column, has_axis)) {
                 (Column::Tip(axis, unit), _) => {
                     let (lengths, wanted) = (Lengths::of_metres(unit), place.pose.tip[axis]);
                     if lengths.are_alike(parsed(cell)? * unit, wanted) { None } else { Some(lengths.written(wanted)) }
@@ -172,9 +172,9 @@ impl<'a> Rewriter<'a> {
                 (_, Some(axis)) if !keeps_axis => Some(number(place.pose.axis[axis], OF_AXIS)),
                 _ => None,
             };
-            match told {
+            match new {
                 None => row.extend(cell.chars()),
-                Some(told) => row.extend(cell.replacen(bare(cell), &told, 1).chars()),
+                Some(new) => row.extend(cell.replacen(bare(cell), &new, 1).chars()),
             }
         }
         let row = row.into_iter().collect::<String>().into_bytes();

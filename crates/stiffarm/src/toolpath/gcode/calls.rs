@@ -225,11 +225,11 @@ impl Reader<'_> {
         if !is_open && !matches!(text.trim_ascii_start().first(), Some(b'o' | b'O')) {
             return Ok(false);
         }
-        let told = is_o_word_of(text).then(|| OWord::of(text));
+        let o_word = is_o_word_of(text).then(|| OWord::of(text));
         let Some((open, lines)) = &mut self.calls.open else {
-            return told.map_or(Ok(false), |word| self.obey(word, text, line).map(|()| true));
+            return o_word.map_or(Ok(false), |word| self.obey(word, text, line).map(|()| true));
         };
-        if told.is_some_and(|word| word.what == "ENDSUB" && word.name == *open) {
+        if o_word.is_some_and(|word| word.what == "ENDSUB" && word.name == *open) {
             let (name, lines) = (std::mem::take(open), std::mem::take(lines));
             self.calls.open = None;
             self.calls.subs.insert(name, lines.into());

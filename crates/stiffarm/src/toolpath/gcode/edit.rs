@@ -26,10 +26,10 @@ impl<'l> Edit<'l> {
     }
 
     /// Gives a letter another number, where it stands or as a new word.
-    pub(super) fn set(&mut self, letter: u8, told: String) {
+    pub(super) fn set(&mut self, letter: u8, number: String) {
         match self.words.iter_mut().find(|(word, _)| word.letter == letter) {
-            Some((_, fate)) => *fate = Fate::Number(told),
-            None => self.new.push(format!("{}{told}", char::from(letter))),
+            Some((_, fate)) => *fate = Fate::Number(number),
+            None => self.new.push(format!("{}{number}", char::from(letter))),
         }
     }
 
@@ -60,9 +60,9 @@ impl<'l> Edit<'l> {
             }
             match fate {
                 Fate::Kept => bytes.extend_from_slice(&self.text[word.span.clone()]),
-                Fate::Number(told) => {
+                Fate::Number(number) => {
                     bytes.push(self.text[word.span.start]);
-                    bytes.extend_from_slice(told.as_bytes());
+                    bytes.extend_from_slice(number.as_bytes());
                 }
                 Fate::Dropped => {}
             }

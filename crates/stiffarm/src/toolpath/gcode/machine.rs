@@ -84,7 +84,7 @@ impl<'a> Machine<'a> {
         self.apart += 1;
     }
 
-    /// Can a move through these coordinates, of the axes that are named, be told?
+    /// Is it known where a move through these coordinates, of the axes that are named, leads?
     pub(super) fn is_known_at(&self, words: &[Option<f64>; 3], is_incremental: bool) -> bool {
         (0..3).all(|axis| self.known[axis] == Known::Yes || (words[axis].is_some() && !is_incremental))
     }
@@ -102,7 +102,7 @@ impl<'a> Machine<'a> {
         match self.known[axis] {
             Known::Yes => {}
             Known::Not => {
-                self.notes.assume(line, "the tool starts at 0 along axes that the file has not told");
+                self.notes.assume(line, "the tool starts at 0 along axes that the file has not given");
                 self.known[axis] = Known::Yes;
             }
             Known::AtMachine(since) => {

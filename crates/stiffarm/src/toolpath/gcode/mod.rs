@@ -1,6 +1,6 @@
 //! G-code (RS-274): blocks of words, what they leave in force, and the moves they mean.
 //!
-//! Every word is modelled, kept as inert and told, or refused with its line. Words without blanks, in either case; `( )` and `;`
+//! Every word is modelled, kept as inert and reported, or refused with its line. Words without blanks, in either case; `( )` and `;`
 //! comments; `%`, O and N; modal codes; arcs in three planes by centre (whose reading is found by which one closes) or radius, full
 //! circles and helices; G90 and G91; drilling cycles; subprograms of the same file; G28, G30, G53 and rapids under another origin as
 //! moves of the machine; tool axes by I J K or by A B C under a convention that the user names. Other languages are refused by name.
@@ -43,7 +43,7 @@ pub(super) struct Reader<'a> {
     block: Block,
     unit: LengthUnit,
     unit_is_said: bool,
-    unit_is_told: bool,
+    unit_is_noted: bool,
     /// The most decimals of lengths so far, in this unit.
     decimals: u8,
     plane: Plane,
@@ -125,7 +125,7 @@ impl<'a> Reader<'a> {
             block: Block::new(),
             unit: options.unit.unwrap_or(LengthUnit::Millimetre),
             unit_is_said: false,
-            unit_is_told: false,
+            unit_is_noted: false,
             decimals: 0,
             plane: Plane::Xy,
             is_incremental: false,
@@ -232,7 +232,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Words that are neither modelled nor refused: told at the end.
+    /// Words that are neither modelled nor refused: reported at the end.
     fn keep_letters(&mut self, block: &Block, once: &Once, line: usize) {
         for letter in block.letters() {
             let is_modelled = match letter {

@@ -26,10 +26,10 @@ impl Reader<'_> {
     /// X, Y and Z of a block, m.
     pub(super) fn words(&mut self, block: &Block) -> [Option<f64>; 3] {
         let words = self.lengths(block, POSITION);
-        if !self.unit_is_said && !self.unit_is_told && words.iter().flatten().any(|word| *word != 0.0) {
+        if !self.unit_is_said && !self.unit_is_noted && words.iter().flatten().any(|word| *word != 0.0) {
             let by = if self.options.unit.is_some() { "as was said" } else { "since the file names none" };
             self.machine.notes.assume(0, &format!("lengths in {}, {by}", self.unit.name()));
-            self.unit_is_told = true;
+            self.unit_is_noted = true;
         }
         words
     }

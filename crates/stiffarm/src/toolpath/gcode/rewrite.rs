@@ -288,8 +288,8 @@ impl<'a> Rewriter<'a> {
             }
         }
         self.lead(&mut edit, place, Some(one));
-        for (i, told) in self.turned(place, angles) {
-            edit.set(b'A' + i as u8, told);
+        for (i, angle) in self.turned(place, angles) {
+            edit.set(b'A' + i as u8, angle);
         }
         if self.original.feed_mode == FeedMode::Inverse {
             edit.set(b'F', self.inverse(place, one));
@@ -371,7 +371,7 @@ impl<'a> Rewriter<'a> {
             words.extend(parts.map(|(letter, part)| format!("{letter}{}", number(*part, OF_AXIS))));
         }
         let turned = self.turned(place, angles);
-        words.extend(turned.into_iter().map(|(i, told)| format!("{}{told}", ['A', 'B', 'C'][i])));
+        words.extend(turned.into_iter().map(|(i, angle)| format!("{}{angle}", ['A', 'B', 'C'][i])));
         if self.original.feed_mode == FeedMode::Inverse && !words.is_empty() {
             words.push(format!("F{}", self.inverse(place, one)));
         }
@@ -400,8 +400,8 @@ impl<'a> Rewriter<'a> {
         let length = (place.pose.tip - self.written.machine.tip).norm();
         // A turn of the axis alone keeps the F of the block.
         let block = self.original.block.get(b'F');
-        let told = one.feed.filter(|_| 0.0 < length).map(|feed| feed * 60.0 / length).or(block);
-        told.map_or_else(String::new, |told| number(told, OF_INVERSE))
+        let rate = one.feed.filter(|_| 0.0 < length).map(|feed| feed * 60.0 / length).or(block);
+        rate.map_or_else(String::new, |rate| number(rate, OF_INVERSE))
     }
 
     /// A block that was not in the file; what may be skipped, may be skipped whole.

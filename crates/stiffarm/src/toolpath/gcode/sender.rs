@@ -10,8 +10,8 @@ impl Reader<'_> {
     /// What moves the tool, or changes how it moves, as only the machine knows.
     pub(super) fn take_sender(&mut self, text: &[u8], line: usize) -> Result<bool, Wrong> {
         let Some(b'$' | b'?' | b'!' | b'~') = text.first() else { return Ok(false) };
-        let told = String::from_utf8_lossy(text).to_ascii_uppercase();
-        let word = told.split([';', '(']).next().unwrap_or_default().trim_end();
+        let upper = String::from_utf8_lossy(text).to_ascii_uppercase();
+        let word = upper.split([';', '(']).next().unwrap_or_default().trim_end();
         let refused = |why: &str| Err(Wrong::new(word, why));
         match word {
             "$H" => {
