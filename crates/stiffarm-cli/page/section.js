@@ -91,7 +91,7 @@ export class Section {
       this.grid = { of, x: [], z: [], mm: [] };
       const answer = await this.newest.run((signal) => fields("map", asked, signal)).catch(() => undefined);
       if (!answer) return;
-      this.grid = { of, x: answer.x_m, z: answer.z_m, mm: answer.worst_mm };
+      this.grid = { of, x: answer.x_m, z: answer.z_m, mm: answer.worst_mm ?? answer.deflection_mm };
     }
     const [i, j] = [nearest(this.grid.x, x), nearest(this.grid.z, z)];
     const mm = j < 0 || i < 0 ? null : this.grid.mm[j]?.[i];

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from conftest import Open, settled, until
@@ -123,8 +124,9 @@ def test_an_option_that_is_refused_says_so_at_its_control(look: Open) -> None:
     expect(field.locator(".fault")).to_be_empty()
 
 
-def test_values_are_shown_under_the_pointer(look: Open) -> None:
-    page = look("#place")
+@pytest.mark.parametrize("asked", ["#place", "#place?force-n=300,0,-80"])
+def test_values_are_shown_under_the_pointer(look: Open, asked: str) -> None:
+    page = look(asked)
     box = page.locator("#look .section .picture").bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + box["width"] * 0.66, box["y"] + box["height"] * 0.45)
