@@ -294,7 +294,7 @@ fn an_option_of_another_model_is_refused() {
 fn a_map_takes_what_places_a_zone_only_with_one() {
     for (name, text) in [("within", "1..2,.."), ("angle", "30"), ("gap", "0.01")] {
         assert_eq!(asked(Verb::Map, &[(name, text)]).unwrap_err().to_string(), format!("--{name} needs --zone"));
-        assert!(asked(Verb::Map, &[(name, text), ("zone", "A:0.3")]).is_ok());
+        assert!(asked(Verb::Map, &[(name, text), ("zone", "rect:0.3x0.2")]).is_ok());
         for zone in [&[][..], &[("zone", "A:0.3")]] {
             let given = [&[(name, text), ("model", "spatial")], zone].concat();
             let expected = format!("--{name} is of the planar model; it does not go with --model spatial, in space");
@@ -348,7 +348,7 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
             "--angle turns no circle; the feed of a force counts",
         ),
         (Verb::Rank, &[("task", "A:0.3,circle:0.1"), ("angle", "free")], "--angle turns no circle"),
-        (Verb::Map, &[("zone", "circle:0.3"), ("angle", "0")], "--angle turns no circle"),
+        (Verb::Map, &[("zone", "circle:0.3"), ("angle", "90")], "--angle turns no circle"),
         (Verb::Modes, &[("task", "A:0.3"), ("at", "1,1"), ("angle", "0")], "--angle turns no circle"),
         (
             Verb::Place,

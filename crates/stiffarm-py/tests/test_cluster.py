@@ -48,9 +48,11 @@ def test_doubled_forces_give_the_bits_that_are_computed(model):
     assert {row["pass"] for row in pick} == {True, False}
 
 
-def test_the_order_is_that_of_rank(client, tmp_path):
+@pytest.mark.parametrize("options", [{}, {"angle": 90}])
+def test_the_order_is_that_of_rank(client, tmp_path, options):
     tasks = ["A:0.3", "B:9", "B:0.5"]
-    found, expected = cluster.rank(tasks=tasks, client=client, folder=tmp_path / "r"), stiffarm.rank(tasks=tasks)
+    found = cluster.rank(tasks=tasks, client=client, folder=tmp_path / "r", **options)
+    expected = stiffarm.rank(tasks=tasks, **options)
     assert [row["robot"] for row in found.rows] == [row["robot"] for row in expected.rows]
     for row, other in zip(found.rows, expected.rows):
         assert math.isclose(row["mean_ratio"], other["mean_ratio"], rel_tol=1e-14)

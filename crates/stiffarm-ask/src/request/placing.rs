@@ -193,7 +193,7 @@ impl Request {
         let works: Vec<Work> = self.all(opt::TASK).into_iter().map(|task| task.work).chain(zones).collect();
         let is_circle = |work: &Work| matches!(work, Work::Zone(zone) if zone.is_round());
         let has_circles_alone = !works.is_empty() && works.iter().all(is_circle);
-        if has_circles_alone && self.is_given(opt::ANGLE) { Err(self.unanswered(Unsupported::Round)) } else { Ok(()) }
+        if has_circles_alone && self.angle() != Angle::Axes { Err(self.unanswered(Unsupported::Round)) } else { Ok(()) }
     }
 
     /// A part says itself how the tool meets each face, and has the faces that are asked for.

@@ -30,7 +30,7 @@ from .._stiffarm import Robot, StiffarmError
 from .._verbs import PAPER_TASKS
 from ..types import SweepOptions
 from ._answer import Order, Sweep, Wins
-from ._question import Question
+from ._question import Question, is_circle
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -235,8 +235,9 @@ def _checked(
         raise StiffarmError(f"no robot can be read; the first says: {who[0]['error']}")
     # Any robot of the catalogue will do: a zone that no arm reaches is refused at once, after its options were read.
     any_robot = Robot("KR 210 R2700 extra")
+    nowhere = "circle:50" if all(is_circle(task) for task in wanted) else "rect:50x50"
     for force in forces_n:
-        placed(any_robot, "circle:50", {**asked, "force_n": repr(force)})
+        placed(any_robot, nowhere, {**asked, "force_n": repr(force)})
     drawn: Array | None = None
     if scenarios is not None:
         for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad"}:

@@ -33,6 +33,11 @@ FACTORS = tuple(f"compliance_factor_{drive}" for drive in range(1, 7))
 _PIECE = 10_000
 
 
+def is_circle(task: str) -> bool:
+    """A zone without sides."""
+    return task.strip().lower().startswith(("circle:", "a:"))
+
+
 def maker() -> dict[str, Any]:
     """Who computes here: what differs between two of them must not be mixed."""
     return {"format": FORMAT, "stiffarm": _stiffarm.__version__, "sources": _sources()}
@@ -160,11 +165,15 @@ class Question:
                 known, before = found[key]
                 known = _doubled(known, exponent - before, self.options)
             else:
-                known = _placed(arm, self.tasks[task], {**self.options, "force_n": repr(force_n)})
+                known = _placed(arm, self.tasks[task], {**self._options(task), "force_n": repr(force_n)})
                 if forces > 1 and "error" not in known:
                     found[key] = known, exponent
             rows.append({**known, **row})
         return rows
+
+    def _options(self, task: int) -> dict[str, str]:
+        """An angle is of the tasks with sides; whether it is of any was asked before."""
+        return {key: value for key, value in self.options.items() if key != "angle" or not is_circle(self.tasks[task])}
 
     def _factors(self, scenario: int, robot: int) -> Array | None:
         """On the compliances of one robot's drives."""
