@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::words::{fixed, percentages};
-use super::{Datum, Line, Record, field, line};
+use super::{Datum, Line, Record, field, line, shape};
 use stiffarm::advice::{Advice, AtPlace, COMPENSATED, LargestZone, SMALLEST};
 use stiffarm::load::Load;
 use stiffarm::task::Task;
@@ -17,7 +17,7 @@ pub(super) fn record(advice: &Advice, (task, load): Asked) -> Record {
     let factor = |of: fn(&AtPlace) -> Option<f64>| at.and_then(of);
     let softest = at.and_then(AtPlace::softest);
     let compensated = at.map(|at| at.compensated);
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::ADVICE);
     record
         .put(field::FORCE_FACTOR, factor(|at| at.force_factor))
         .put(field::FORCE_FACTOR_BOUND, factor(|at| at.force_factor_bound))
@@ -35,11 +35,11 @@ pub(super) fn record(advice: &Advice, (task, load): Asked) -> Record {
 }
 
 fn zone_record(zone: &LargestZone, task: &Task) -> Record {
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::LARGEST_ZONE);
     record
         .put(field::SCALE, zone.holds.map(|(scale, _)| scale))
         .put(field::SIZE_IN_WORDS, zone.holds.map(|(scale, _)| task.work.scaled(scale).describe()))
-        .put(field::SIDES, zone.holds.map_or(Datum::Absent, |(scale, _)| Datum::Nested(sides(task, scale))))
+        .put(field::SIDES, zone.holds.and_then(|(scale, _)| sides(task, scale)))
         .put(field::DEFLECTION, zone.holds.map(|(_, deflection)| deflection))
         .put(field::FAILS_AT, zone.fails_at)
         .put(field::FAILS_PROVED, zone.is_proved)
@@ -48,8 +48,8 @@ fn zone_record(zone: &LargestZone, task: &Task) -> Record {
 }
 
 /// Of a flat zone its sides, m; null of a part.
-fn sides(task: &Task, scale: f64) -> serde_json::Value {
-    json!(task.work.zone().map(|zone| zone.scaled(scale).sides()))
+fn sides(task: &Task, scale: f64) -> Option<serde_json::Value> {
+    Some(json!(task.work.zone()?.scaled(scale).sides()))
 }
 
 /// For people, behind the verdict: the reserve where the tolerance is kept, else everything that would help.

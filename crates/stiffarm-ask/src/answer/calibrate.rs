@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::verify::numbers;
 use super::words::fixed;
-use super::{Record, Rows, Table, Unit, field, line, updated, with_schema};
+use super::{Datum, Record, Rows, Table, Unit, field, line, shape, updated, with_schema};
 use stiffarm::calibrate::{Calibrated, Level, LevelFit};
 use stiffarm::calibration::zeros;
 use stiffarm::catalogue::write;
@@ -32,56 +32,56 @@ impl CalibrateAnswer {
     /// As JSON.
     pub fn json(&self) -> Value {
         let found = &self.found;
-        let mm = |m: f64| Unit::Millimetre.of_si(m);
         let errors = &found.errors;
-        let mrad = |x: f64| Unit::Milliradian.of_si(x);
         let weight = errors.weight.iter().zip(&found.deviations.weight);
-        let intervals = weight.map(|(x, s)| json!([mrad(x - HALF * s), mrad(x + HALF * s)])).collect::<Value>();
+        let intervals = weight.map(|(x, s)| json!([x - HALF * s, x + HALF * s])).collect::<Value>();
         let by_terms = found.drives.is_none();
-        let wrong = found.wrong_rows.iter();
-        let at_work = found.at_work.as_ref().map_or(Value::Null, |work| {
-            let mut told = Record::new();
-            told.put(field::EXPECTED_AT_WORK, work.expected)
+        let wrong = found.wrong_rows.iter().map(|row| {
+            let mut record = Record::of(&shape::WRONG_POINT);
+            record
+                .put(field::LINE, row.line)
+                .put(field::WRONG_NUMBER, row.point)
+                .put(field::DISTANCE_OFF, row.distance);
+            record
+        });
+        let narrow = found.narrow.iter().map(|(joint, share)| {
+            let mut record = Record::of(&shape::NARROW_JOINT);
+            record.put(field::NARROW_NUMBER, *joint).put(field::NARROW_SHARE, *share);
+            record
+        });
+        let at_work = found.at_work.as_ref().map(|work| {
+            let mut record = Record::of(&shape::CALIBRATED_AT_WORK);
+            record
+                .put(field::EXPECTED_AT_WORK, work.expected)
                 .put(field::WORK_INTERVAL, work.interval)
                 .put(field::WORK_P95, work.p95)
                 .put(field::WORK_POSTURES, work.postures);
-            told.json()
+            record
         });
-        let mut answer = Record::new();
+        let mut answer = Record::of(&shape::CALIBRATION);
         answer
             .put(field::ROBOT, self.robot.name.as_str())
             .put(field::LEVEL, found.level.name())
             .put(field::OWN_WEIGHT, own_weight(found.taken()))
             .put(field::READ_ROWS, found.rows.len())
             .put(field::NOMINAL_RMS, found.levels[0].rms)
-            .put(field::LEVELS, found.levels.iter().map(|fit| level(fit).json()).collect::<Value>())
-            .put(
-                field::WRONG_ROWS,
-                wrong
-                    .map(|row| json!({ "line": row.line, "point": row.point, "distance_mm": mm(row.distance) }))
-                    .collect::<Value>(),
-            )
+            .put(field::LEVELS, found.levels.iter().map(level).collect::<Datum>())
+            .put(field::WRONG_ROWS, wrong.collect::<Datum>())
             .put(
                 field::TRACKER_IN_BASE,
                 found.tracker_in_base.iter().map(|pose| json!(numbers(pose))).collect::<Value>(),
             )
-            .put(
-                field::POINTS_SEEN,
-                found.points.iter().map(|at| json!([mm(at.x), mm(at.y), mm(at.z)])).collect::<Value>(),
-            )
+            .put(field::POINTS_SEEN, found.points.iter().map(|at| json!([at.x, at.y, at.z])).collect::<Value>())
             .put(field::ZERO_FOUND, self.zeros())
             .put(
                 field::FRAMES_FOUND,
                 self.frames().iter().map(|frame| json!(frame.map(|x| Unit::Millimetre.of_si(x)))).collect::<Value>(),
             )
-            .put(field::WEIGHT_FOUND, by_terms.then(|| json!(errors.weight.map(mrad))))
+            .put(field::WEIGHT_FOUND, by_terms.then(|| json!(errors.weight)))
             .put(field::WEIGHT_INTERVALS, by_terms.then_some(intervals))
-            .put(field::DRIVES, found.drives.as_ref().map(updated::json))
-            .put(field::GEARS_FOUND, json!(errors.gears.map(|pair| pair.map(mrad))))
-            .put(
-                field::NARROW,
-                found.narrow.iter().map(|(joint, share)| json!({ "joint": joint, "share": share })).collect::<Value>(),
-            )
+            .put(field::DRIVES, found.drives.as_ref().map(updated::records))
+            .put(field::GEARS_FOUND, json!(errors.gears))
+            .put(field::NARROW, narrow.collect::<Datum>())
             .put(field::AT_WORK, at_work);
         with_schema("calibrate", super::ORIGIN, &answer)
     }
@@ -103,11 +103,11 @@ impl CalibrateAnswer {
     /// A row of each posture.
     pub fn rows(&self) -> Rows<'static> {
         let records = self.found.rows.iter().map(|row| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::CALIBRATED_POSTURE);
             record.put(field::LINE, row.line).put(field::BEFORE, row.before).put(field::AFTER, row.after);
             record
         });
-        Rows::of(&records.collect::<Vec<_>>())
+        Rows::of(&shape::CALIBRATED_POSTURE, records)
     }
 
     /// What was found, line by line.
@@ -271,7 +271,7 @@ fn own_weight(fit: &LevelFit) -> Option<&'static str> {
 }
 
 fn level(fit: &LevelFit) -> Record {
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::LEVEL_FIT);
     record
         .put(field::LEVEL, fit.level.map_or("as drawn", Level::name))
         .put(field::OWN_WEIGHT, own_weight(fit))

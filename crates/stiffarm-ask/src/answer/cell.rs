@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::{Value, json};
 
 use super::words::{fixed, window};
-use super::{Line, line};
+use super::{Line, Record, field, line, shape};
 use nalgebra::Vector3;
 use stiffarm::cell::{Block, Cell, Mount, MountKind, Window};
 use stiffarm::clearance;
@@ -98,32 +98,32 @@ fn window_in_words(window: &Window) -> String {
     }
 }
 
-/// As JSON: null where a range is open.
-pub(super) fn record(cell: &Cell, robot: &Robot) -> Value {
+/// As it was asked for; null where a range is open.
+pub(super) fn record(cell: &Cell, robot: &Robot) -> Record {
     let ends = |range: Interval| json!([range.min(), range.max()].map(|end| end.is_finite().then_some(end)));
-    let block = |block: &Block| json!([ends(block.x), ends(block.y), ends(block.z)]);
+    let block = |block: Block| json!([ends(block.x), ends(block.y), ends(block.z)]);
     let window = |window: Window| match window {
-        Window::Block(found) => block(&found),
+        Window::Block(found) => block(found),
         Window::Ring { ahead, z } => json!([ends(ahead), ends(z)]),
     };
     let pose = cell.mount.cell_from_base;
     let (rx, ry, rz) = pose.rotation.euler_angles();
-    let turns = [rx, ry, rz].map(|angle| angle.to_degrees() + 0.0);
-    let kept: Vec<Value> = cell.keep_out().map(|kept| block(&kept)).collect();
-    json!({
-        "mount": match cell.mount.kind {
-            MountKind::Pedestal => "pedestal",
-            MountKind::Wall => "wall",
-            MountKind::Ceiling => "ceiling",
-            MountKind::Pose => "pose",
-        },
-        "base_m": <[f64; 3]>::from(pose.translation.vector),
-        "base_deg": turns,
-        "within_m": cell.windows().map(window).collect::<Vec<_>>(),
-        "keep_out_m": kept,
-        "keep_out_carries_base": clearance::carrying(robot, cell),
-        "clearance_mm": cell.clearance.map(|asked| asked * 1e3),
-    })
+    let mount = match cell.mount.kind {
+        MountKind::Pedestal => "pedestal",
+        MountKind::Wall => "wall",
+        MountKind::Ceiling => "ceiling",
+        MountKind::Pose => "pose",
+    };
+    let mut record = Record::of(&shape::CELL);
+    record
+        .put(field::MOUNT, mount)
+        .put(field::BASE_IN_CELL, <[f64; 3]>::from(pose.translation.vector))
+        .put(field::BASE_TURNED, [rx, ry, rz])
+        .put(field::WINDOWS, cell.windows().map(window).collect::<Value>())
+        .put(field::KEPT_FREE, cell.keep_out().map(block).collect::<Value>())
+        .put(field::CARRIES_BASE, json!(clearance::carrying(robot, cell)))
+        .put(field::CLEARANCE_KEPT, cell.clearance);
+    record
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use super::modes::tool_note;
 use super::stiffness::{self, stiffness};
 use super::tip::{self, TipFile};
 use super::words::{self, fixed};
-use super::{Line, Record, Rows, Table, field, line, with_schema};
+use super::{Datum, Line, Record, Rows, Table, field, line, shape, with_schema};
 
 /// The answer of `chatter`, with what was asked.
 #[derive(Clone, Debug)]
@@ -111,7 +111,7 @@ impl ChatterAnswer {
     pub fn record(&self) -> Record {
         let Self { robot, joints_deg, tool, chatter, .. } = self;
         let body = tool.body.as_ref();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::CHATTER);
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::MODEL, "spatial")
@@ -126,7 +126,7 @@ impl ChatterAnswer {
         record
             .put(field::CHATTER_VERDICT, self.verdict())
             .put(field::ASSUMED, json!(self.assumed().collect::<Vec<_>>()))
-            .put(field::LOBES, self.lobes().map(|lobe| lobe.json()).collect::<Value>());
+            .put(field::LOBES, self.lobes().collect::<Datum>());
         record
     }
 
@@ -181,7 +181,7 @@ impl ChatterAnswer {
 
     fn lobes(&self) -> impl Iterator<Item = Record> + '_ {
         self.chatter.lobes.iter().map(|Lobe { spindle, edge, spread }| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::LOBE);
             record
                 .put(field::SPINDLE_SPEED, rpm(*spindle))
                 .put(field::LOBE_DEPTH, depth(*edge))
@@ -199,7 +199,7 @@ impl ChatterAnswer {
 
     /// A row a speed of the spindle, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.lobes().collect::<Vec<_>>())
+        Rows::of(&shape::LOBE, self.lobes())
     }
 
     /// For people.

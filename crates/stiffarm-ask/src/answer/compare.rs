@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::verdict::{SURE, percent};
 use super::words::{self, degrees, fixed};
-use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, stiffness, with_schema};
+use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, shape, stiffness, with_schema};
 use stiffarm::model::ModelKind;
 use stiffarm::place::{Placed, Placement};
 use stiffarm::rank::may_be_as_good;
@@ -126,14 +126,14 @@ impl CompareAnswer {
     pub fn record(&self) -> Record {
         let [a, b] = &self.sides;
         let better = self.better();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::COMPARISON);
         record
             .put(field::SETUP_A, a.record())
             .put(field::SETUP_B, b.record())
             .put(field::SETUP_RATIO, self.ratio())
             .put(field::TOLD_APART, better.is_some())
             .put(field::BETTER_SETUP, better.map(|side| NAMES[side]))
-            .put(field::WIN_PROBABILITY, json!(self.chances()))
+            .put(field::WIN_PROBABILITY, self.chances().map(|chances| json!(chances)))
             .put(field::DIFFERENT, json!(self.differ_in()))
             .put(field::SUMMARY, json!(self.sentences()));
         record
@@ -148,11 +148,11 @@ impl CompareAnswer {
     /// A row for each setup.
     pub fn rows(&self) -> Rows<'static> {
         let records = NAMES.iter().zip(&self.sides).map(|(name, side)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::SETUP);
             record.put(field::SETUP, *name).extend(side.record());
             record
         });
-        Rows::of(&records.collect::<Vec<_>>())
+        Rows::of(&shape::SETUP, records)
     }
 
     /// For people: a column for each setup.

@@ -6,7 +6,8 @@ use serde_json::Value;
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
 use super::{
-    Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, force, line, uncertainty, with_schema,
+    Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, force, line, shape, uncertainty,
+    with_schema,
 };
 use stiffarm::batch::{RowsError, Units, matrices_of_rows, worst_of_rows};
 use stiffarm::compliance::Posture;
@@ -63,7 +64,7 @@ impl ComplianceAnswer {
         };
         let (force, moved) = (self.force(), self.deflection());
         let counted = load.zip(self.largest()).map(|(load, largest)| largest.value * load.newtons());
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::COMPLIANCE);
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::MODEL, "spatial")

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, schema_of, under};
+use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, schema_of, shape, under};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::cutting::{CuttingForce, Law, Measured, MeasuredAxes, Milling, Side};
 
@@ -45,7 +45,7 @@ impl CuttingAnswer {
     pub fn record(&self) -> Record {
         let Self { file, process, force } = self;
         let (material, cut) = (process.material.as_ref(), self.milling().map(|milling| milling.engagement));
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::FORCE);
         record
             .put(field::PROCESS, file)
             .put(field::LAW, self.law())

@@ -1,6 +1,7 @@
-//! What can be told, each thing once: its key, its unit, and what it is; a file for what a verb tells.
+//! The keys of answers, each once for each of its meanings: its unit, and what it is; a file for what a verb answers.
 
 mod calibrate;
+mod cell;
 mod chatter;
 mod compliance;
 mod force;
@@ -15,12 +16,12 @@ mod path;
 mod place;
 mod rank;
 mod robots;
+mod schema;
 mod study;
 mod verify;
 
-use crate::request::Verb;
-
 pub use calibrate::*;
+pub use cell::*;
 pub use chatter::*;
 pub use compliance::*;
 pub use force::*;
@@ -35,29 +36,9 @@ pub use path::*;
 pub use place::*;
 pub use rank::*;
 pub use robots::*;
+pub use schema::*;
 pub use study::*;
 pub use verify::*;
-
-/// Those that only the answer of a verb has, or that mean something else in others; then those of what it rests on.
-pub fn of(verb: Verb) -> impl Iterator<Item = &'static Field> {
-    let lists: &[&[Field]] = match verb {
-        Verb::Rank | Verb::Compare => &[rank::FIELDS, place::FIELDS],
-        Verb::Place => &[place::FIELDS],
-        Verb::Map => &[map::FIELDS, place::FIELDS],
-        Verb::Compliance => &[compliance::FIELDS],
-        Verb::Modes => &[modes::FIELDS],
-        Verb::Chatter => &[chatter::FIELDS, modes::FIELDS],
-        Verb::Study => &[study::FIELDS],
-        Verb::Identify => &[identify::FIELDS],
-        Verb::Measure => &[measure::FIELDS, calibrate::FIELDS],
-        Verb::Calibrate => &[calibrate::FIELDS],
-        Verb::Verify => &[verify::FIELDS],
-        Verb::Mill => &[mill::FIELDS, path::FIELDS, force::FIELDS, place::FIELDS, chatter::FIELDS],
-        Verb::Force => &[force::FIELDS],
-        Verb::List => &[load::FIELDS, robots::FIELDS],
-    };
-    lists.iter().copied().flatten()
-}
 
 /// All of them.
 pub fn all() -> impl Iterator<Item = &'static Field> {
@@ -78,6 +59,8 @@ pub fn all() -> impl Iterator<Item = &'static Field> {
         mill::FIELDS,
         verify::FIELDS,
         calibrate::FIELDS,
+        cell::FIELDS,
+        schema::FIELDS,
     ];
     lists.into_iter().flatten()
 }
@@ -104,14 +87,15 @@ mod tests {
                 Some(Unit::Watt) => "_w",
                 Some(Unit::MillimetrePerMinute) => "_mm_per_min",
                 Some(Unit::Given(unit)) => unit,
-                Some(Unit::One) | None => "",
+                Some(Unit::One | Unit::Described) | None => "",
             };
             let key =
                 ["_p05", "_p50", "_p95"].iter().find_map(|share| field.key.strip_suffix(share)).unwrap_or(field.key);
             assert!(key.ends_with(ending), "{field:?}");
             let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_urad_per_nm", "_nm_per_rad", "_kg"];
             let has_unit = endings.iter().any(|ending| key.ends_with(ending));
-            assert!(!ending.is_empty() || !has_unit || field.unit().is_none(), "a number of no unit: {field:?}");
+            let has_none = matches!(field.unit(), None | Some(Unit::Described));
+            assert!(!ending.is_empty() || !has_unit || has_none, "a number of no unit: {field:?}");
             assert!(field.about.ends_with('.') && field.about.is_ascii(), "{field:?}");
             if let Kind::Numbers { columns, .. } = field.kind {
                 assert!(columns.is_empty() || 1 < columns.len(), "{field:?}");

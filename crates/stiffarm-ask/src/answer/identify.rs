@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::numbers::digits;
 use super::words::{self, fixed};
-use super::{Line, Record, Rows, Table, field, line, stiffness, updated, with_schema};
+use super::{Datum, Line, Record, Rows, Table, field, line, shape, stiffness, updated, with_schema};
 use stiffarm::catalogue::write;
 use stiffarm::identify::{Estimate, Estimator, Identification, Residual, Spring, Springs, Tried, Unknown};
 use stiffarm::robot::Robot;
@@ -33,7 +33,7 @@ impl IdentifyAnswer {
         let Identification { singular_values, least_seen, outliers, remarks, .. } = &self.found;
         let found = &self.found;
         let per_urad: Vec<f64> = singular_values.iter().map(|value| value * 1e-3).collect();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::IDENTIFICATION);
         record
             .put(field::ROBOT, &found.robot.name)
             .put(field::VENDOR, &found.robot.vendor)
@@ -42,10 +42,10 @@ impl IdentifyAnswer {
             .put(field::POSTURES, found.postures)
             .put(field::READINGS, found.residuals.len())
             .put(field::MODEL, found.model.name())
-            .put(field::DRIVES, self.drives().map(|record| record.json()).collect::<Value>())
-            .put(field::FURTHER_SPRINGS, self.further().map(|record| record.json()).collect::<Value>())
-            .put(field::COMPENSATOR, self.compensator().map(|record| record.json()).collect::<Value>())
-            .put(field::POSTERIOR_DRIVES, found.posterior.as_ref().map(|posterior| updated::json(&posterior.drives)))
+            .put(field::DRIVES, self.drives().collect::<Datum>())
+            .put(field::FURTHER_SPRINGS, self.further().collect::<Datum>())
+            .put(field::COMPENSATOR, self.compensator().collect::<Datum>())
+            .put(field::POSTERIOR_DRIVES, found.posterior.as_ref().map(|posterior| updated::records(&posterior.drives)))
             .put(field::MODELS, self.tried())
             .put(field::RMS_BEFORE, found.before)
             .put(field::RMS_AFTER, found.after)
@@ -59,7 +59,7 @@ impl IdentifyAnswer {
             .put(field::LEAST_SEEN, least_seen.as_slice())
             .put(field::CORRELATION, self.correlation())
             .put(field::OUTLIERS, json!(outliers.iter().map(|outlier| outlier.row).collect::<Vec<_>>()))
-            .put(field::RESIDUALS, found.residuals.iter().map(|one| residual(one).json()).collect::<Value>())
+            .put(field::RESIDUALS, found.residuals.iter().map(residual).collect::<Datum>())
             .put(field::REMARKS, json!(remarks));
         record
     }
@@ -70,9 +70,9 @@ impl IdentifyAnswer {
             Spring::Region(_) | Spring::Base | Spring::Tool | Spring::Compensator | Spring::Preload => None,
         });
         drives.map(|(drive, estimate)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::IDENTIFIED_DRIVE);
             record.put(field::SPRING, drive + 1);
-            record.extend(record_of(estimate, &self.found));
+            put_estimate(&mut record, estimate, &self.found);
             record
         })
     }
@@ -83,9 +83,9 @@ impl IdentifyAnswer {
         self.found.estimates.iter().filter(move |estimate| is_other(estimate.spring)).map(|estimate| {
             let region =
                 if let Spring::Region(region) = estimate.spring { Some(self.found.regions[region]) } else { None };
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::FURTHER_SPRING);
             record.put(field::SPRING_NAME, estimate.spring.name()).put(field::REGION, region);
-            record.extend(record_of(estimate, &self.found));
+            put_estimate(&mut record, estimate, &self.found);
             record
         })
     }
@@ -95,7 +95,7 @@ impl IdentifyAnswer {
         self.found.estimates.iter().filter(|estimate| !estimate.spring.is_compliance()).map(|estimate| {
             let (unit, factor) = unit_of(estimate.spring);
             let why = estimate.unknown.as_ref().map(|why| in_words(why, &self.found));
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::FOUND_COMPENSATOR);
             record
                 .put(field::SPRING_NAME, estimate.spring.name())
                 .put(field::IN_UNIT, unit)
@@ -110,16 +110,16 @@ impl IdentifyAnswer {
     }
 
     /// The models among which was chosen.
-    fn tried(&self) -> Value {
+    fn tried(&self) -> Datum {
         let of = |one: &Tried| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::TRIED_MODEL);
             let (fit, why) = (one.fit.as_ref().ok(), one.fit.as_ref().err());
             record
                 .put(field::MODEL, one.model.name())
                 .put(field::RMS_LEFT_OUT, fit.and_then(|fit| fit.left_out))
                 .put(field::BIC, fit.map(|fit| fit.bic))
                 .put(field::NOT_IDENTIFIED, why.map(ToString::to_string));
-            record.json()
+            record
         };
         self.found.tried.iter().map(of).collect()
     }
@@ -135,7 +135,7 @@ impl IdentifyAnswer {
 
     /// One row per drive, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.drives().collect::<Vec<_>>())
+        Rows::of(&shape::IDENTIFIED_DRIVE, self.drives())
     }
 
     /// The robot file with what was identified.
@@ -391,10 +391,9 @@ const fn unit_of(spring: Spring) -> (&'static str, f64) {
     }
 }
 
-/// What is told of a spring besides its name.
-fn record_of(estimate: &Estimate, found: &Identification) -> Record {
+/// What is found of a spring.
+fn put_estimate(record: &mut Record, estimate: &Estimate, found: &Identification) {
     let why = estimate.unknown.as_ref().map(|why| in_words(why, found));
-    let mut record = Record::new();
     record
         .put(field::ESTIMATE, estimate.compliance)
         .put(field::STANDARD_ERROR, estimate.standard_error)
@@ -404,7 +403,6 @@ fn record_of(estimate: &Estimate, found: &Identification) -> Record {
         .put(field::IS_IDENTIFIED, estimate.unknown.is_none())
         .put(field::NOT_IDENTIFIED, why)
         .put(field::USED, estimate.used);
-    record
 }
 
 /// Why a drive is not identified.
@@ -423,7 +421,7 @@ fn in_words(why: &Unknown, found: &Identification) -> String {
 }
 
 fn residual(one: &Residual) -> Record {
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::READING_RESIDUAL);
     record
         .put(field::READING, one.row)
         .put(field::OF_POSTURE, one.posture + 1)

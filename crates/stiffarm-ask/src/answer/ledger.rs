@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::words::fixed;
-use super::{Record, Rows, Table, field, with_schema};
+use super::{Datum, Record, Rows, Table, field, shape, with_schema};
 use stiffarm::ledger::Entry;
 
 /// The answer of `validate`: every published number beside the computed one.
@@ -18,14 +18,14 @@ impl LedgerAnswer {
 
     /// As JSON.
     pub fn json(&self) -> Value {
-        let mut answer = Record::new();
-        answer.put(field::ROWS, self.0.iter().map(|entry| record(entry).json()).collect::<Value>());
+        let mut answer = Record::of(&shape::LEDGER);
+        answer.put(field::ROWS, self.0.iter().map(record).collect::<Datum>());
         with_schema("validate", "none", &answer)
     }
 
     /// For a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.0.iter().map(record).collect::<Vec<_>>())
+        Rows::of(&shape::PUBLISHED_NUMBER, self.0.iter().map(record))
     }
 
     /// Why numbers are listed, each reason once.
@@ -84,7 +84,7 @@ fn verdict(entry: &Entry) -> &'static str {
 }
 
 fn record(entry: &Entry) -> Record {
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::PUBLISHED_NUMBER);
     record
         .put(field::SOURCE, entry.source)
         .put(field::ITEM, &entry.item)

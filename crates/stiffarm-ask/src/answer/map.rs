@@ -9,7 +9,7 @@ use super::modes::{left_out_note, tool_note};
 use super::place::PlaceAnswer;
 use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
-use super::{Cell, Line, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
+use super::{Cell, Line, Record, Rows, Table, Unit, columns_of, field, force, line, schema, shape, with_schema};
 use stiffarm::load::Direction;
 use stiffarm::map::{Grid, HeldPosture, Map, MapOptions, Margins, ROLL_TOLERANCE};
 use stiffarm::mass::RigidBody;
@@ -77,14 +77,6 @@ impl MapAnswer {
         schema("map", words::origin(self.model.robot()))
     }
 
-    /// Keys of what the model does not know, or was not asked.
-    fn absent(&self) -> Vec<field::Field> {
-        const OF_SPACE: [field::Field; 4] = [field::LIMIT_MARGIN, field::SINGULAR_MARGIN, field::POSTURE, field::ROLL];
-        let mut absent = if self.map.space.is_some() { Vec::new() } else { OF_SPACE.to_vec() };
-        absent.extend(self.frequency.is_none().then_some(field::FIRST_FREQUENCY));
-        absent
-    }
-
     fn held(&self) -> HeldPosture {
         self.options.held()
     }
@@ -109,7 +101,7 @@ impl MapAnswer {
         };
         let searched = tool.is_some() && self.held().roll.is_none();
         let body = self.frequency.as_ref().and_then(|(_, tool)| tool.body.as_ref());
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::MAP_HEAD);
         let robot = self.model.robot();
         stiffness::put_robot(&mut record, robot);
         record.put(field::MODEL, self.model.kind().name());
@@ -130,35 +122,39 @@ impl MapAnswer {
         record
     }
 
-    /// Everything but the layers, with configuration and roll of each cell.
+    /// Everything but the numbers of the cells, with configuration and roll of each.
     ///
     /// # Panics
     /// Never: texts and finite numbers are JSON.
     pub fn head_json(&self) -> Value {
-        let mut object = super::Object::new();
-        object.insert("schema".into(), self.schema());
-        object.extend(self.head().json().as_object().cloned().unwrap_or_default());
+        let Value::Object(mut object) = with_schema("map", words::origin(self.model.robot()), &self.head()) else {
+            unreachable!("a record is an object")
+        };
         object.insert("x_m".into(), json!(self.map.deflection.x.points()));
         object.insert("z_m".into(), json!(self.map.deflection.z.points()));
-        for layer in self.layers() {
-            object.insert(layer.field.key.into(), Value::Null);
-        }
-        for (key, grid) in self.grids() {
-            object.insert(key.into(), serde_json::to_value(grid).expect("texts and numbers"));
-        }
-        for field in self.absent() {
-            object.insert(field.key.into(), Value::Null);
+        for (key, cells) in self.cells() {
+            let known = cells.filter(|cells| !matches!(cells, Cells::Layer(_)));
+            object.insert(key.into(), known.map_or(Value::Null, |cells| json!(cells)));
         }
         Value::Object(object)
     }
 
-    /// Which configuration and roll hold each cell, where that is known.
-    fn grids(&self) -> Vec<(&'static str, Cells<'_>)> {
-        self.map
-            .space
-            .iter()
-            .flat_map(|held| [(field::POSTURE.key, Cells::Configurations(held)), (field::ROLL.key, Cells::Rolls(held))])
-            .collect()
+    /// What is known of the cells by its key; nothing where the model does not know it, or it was not asked.
+    fn cells(&self) -> [(&'static str, Option<Cells<'_>>); 7] {
+        let deflection = &self.map.deflection;
+        let [worst, directed] = if self.options.load.is_worst() { [true, false] } else { [false, true] };
+        let held = self.map.space.as_ref();
+        let layer =
+            |field: field::Field, grid| (field.key, Option::map(grid, |grid| Cells::Layer(Layer { field, grid })));
+        [
+            layer(field::WORST, worst.then_some(deflection)),
+            layer(field::DIRECTED, directed.then_some(deflection)),
+            layer(field::LIMIT_MARGIN, held.map(|held| &held.limits)),
+            layer(field::SINGULAR_MARGIN, held.map(|held| &held.singular)),
+            (field::POSTURE.key, held.map(Cells::Configurations)),
+            (field::ROLL.key, held.map(Cells::Rolls)),
+            layer(field::FIRST_FREQUENCY, self.frequency.as_ref().map(|(found, _)| &found.hertz)),
+        ]
     }
 
     /// One row per cell, for a spreadsheet.
@@ -290,14 +286,8 @@ impl Serialize for MapAnswer {
         }
         object.serialize_entry("x_m", &self.map.deflection.x.points())?;
         object.serialize_entry("z_m", &self.map.deflection.z.points())?;
-        for layer in self.layers() {
-            object.serialize_entry(layer.field.key, &Cells::Layer(layer))?;
-        }
-        for (key, cells) in self.grids() {
+        for (key, cells) in self.cells() {
             object.serialize_entry(key, &cells)?;
-        }
-        for field in self.absent() {
-            object.serialize_entry(field.key, &Value::Null)?;
         }
         object.end()
     }

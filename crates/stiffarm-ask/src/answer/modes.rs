@@ -9,7 +9,7 @@ use stiffarm::robot::{Arm, Robot};
 use super::compliance::vector;
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
-use super::{Record, Rows, Table, field, with_schema};
+use super::{Datum, Record, Rows, Table, field, shape, with_schema};
 
 /// The answer of `modes`, with what was asked.
 #[derive(Clone, Debug)]
@@ -47,7 +47,7 @@ impl ModesAnswer {
     pub fn record(&self) -> Record {
         let Self { robot, joints_deg, tool, swing, .. } = self;
         let body = tool.body.as_ref();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::MODES);
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::MODEL, "spatial")
@@ -59,14 +59,14 @@ impl ModesAnswer {
             .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
             .put(field::DAMPING_SOURCE, self.damping_source())
             .put(field::MASSES_LEFT_OUT, json!(left_out(robot)))
-            .put(field::MODES, self.records().map(|mode| mode.json()).collect::<Value>());
+            .put(field::MODES, self.records().collect::<Datum>());
         record
     }
 
     /// Each mode.
     fn records(&self) -> impl Iterator<Item = Record> + '_ {
         self.modes().iter().enumerate().map(|(rank, mode)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::SWING_MODE);
             record
                 .put(field::MODE, rank + 1)
                 .put(field::FREQUENCY, mode.frequency)
@@ -87,7 +87,7 @@ impl ModesAnswer {
 
     /// A row a mode, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.records().collect::<Vec<_>>())
+        Rows::of(&shape::SWING_MODE, self.records())
     }
 
     /// For people.

@@ -12,7 +12,7 @@ use super::compliance::vector;
 use super::modes::{left_out_note, tool_note};
 use super::stiffness::{self, stiffness};
 use super::words::{self, asked_degrees, degrees, direction, fixed, tool_mm};
-use super::{Record, Rows, Table, field, with_schema};
+use super::{Datum, Record, Rows, Table, field, shape, with_schema};
 
 /// The answer of `modes` over a zone, with what was asked.
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ impl ModesOverAnswer {
     pub fn record(&self) -> Record {
         let Self { robot, task, options, best, tool, over, .. } = self;
         let (body, hold) = (tool.body.as_ref(), self.hold());
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::MODES_OVER_ZONE);
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::MODEL, "spatial")
@@ -79,14 +79,14 @@ impl ModesOverAnswer {
             .put(field::ZONE_PARTS, over.parts)
             .put(field::SAMPLES, over.points)
             .put(field::SAMPLE_STEP, over.step)
-            .put(field::MODES, self.records().map(|mode| mode.json()).collect::<Value>());
+            .put(field::MODES, self.records().collect::<Datum>());
         record
     }
 
     /// Each mode.
     fn records(&self) -> impl Iterator<Item = Record> + '_ {
         self.modes().iter().enumerate().map(|(rank, mode)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::MODE_OVER_ZONE);
             record
                 .put(field::MODE, rank + 1)
                 .put(field::FREQUENCY_LEAST, mode.least)
@@ -106,7 +106,7 @@ impl ModesOverAnswer {
 
     /// A row a mode, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.records().collect::<Vec<_>>())
+        Rows::of(&shape::MODE_OVER_ZONE, self.records())
     }
 
     /// For people.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
-use super::{Line, Record, Rows, Table, field, fixed, line, schema_of, under};
+use super::{Line, Record, Rows, Table, field, fixed, line, schema_of, shape, under};
 use stiffarm::toolpath::{Survey, Understood};
 
 /// The answer of `mill --dry`, with what was asked.
@@ -33,7 +33,7 @@ impl PathAnswer {
     pub fn record(&self) -> Record {
         let Self { path, understood, survey } = self;
         let told = understood.as_ref();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::TOOLPATH);
         record
             .put(field::PATH, path)
             .put(field::PATH_FORMAT, told.map_or("built-in", |told| told.format.name()))
@@ -53,7 +53,7 @@ impl PathAnswer {
             .put(field::FEED_TIME, survey.feed_time)
             .put(field::TILT, survey.tilt)
             .put(field::AXIS_TURN, survey.turn)
-            .put(field::SAMPLES, survey.samples)
+            .put(field::SAMPLES_OF_PATH, survey.samples)
             .put(field::CHORD_ERROR, survey.chord_error)
             .put(field::ARC_MISS, told.map_or(0.0, |told| told.arc_miss))
             .put(field::ASSUMED, told.map_or_else(|| json!([]), |told| json!(told.assumed)))
@@ -68,8 +68,7 @@ impl PathAnswer {
 
     /// For a spreadsheet: one row.
     pub fn rows(&self) -> Rows<'static> {
-        let record = self.record();
-        Rows::new(record.columns(), vec![record.cells()])
+        Rows::of(&shape::TOOLPATH, [self.record()])
     }
 
     /// For people.

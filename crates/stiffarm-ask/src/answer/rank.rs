@@ -7,11 +7,11 @@ mod sentences;
 use serde_json::{Value, json};
 
 use super::payload::{Carried, FlangeLoad};
-use super::place::{cell, put_advice};
+use super::place::{put_advice, put_placement};
 use super::uncertainty::{self, Known};
 use super::verdict::Verdict;
 use super::words::{self, fixed};
-use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, with_schema};
+use super::{Datum, Record, Rows, Table, field, force, margins, shape, stiffness, stiffnesses, with_schema};
 use stiffarm::advice::Advice;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
@@ -83,12 +83,12 @@ impl RankAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Ranking { tasks, load, model, .. } = &self.ranking;
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::RANKING);
         record.put(field::TASKS, json!(tasks.iter().map(|task| &task.label).collect::<Vec<_>>()));
         force::put(&mut record, *load);
         record
             .put(field::MODEL, model.name())
-            .put(field::ROWS, self.rows_json())
+            .put(field::ROWS, self.robots())
             .put(field::WINNERS, self.winners())
             .put(field::SUMMARY, json!(self.sentences()));
         record
@@ -99,16 +99,15 @@ impl RankAnswer {
         with_schema("rank", super::ORIGIN, &self.record())
     }
 
-    fn rows_json(&self) -> Value {
+    fn robots(&self) -> Datum {
         let ranks = self.ranks();
         let told = self.ranking.rows.iter().zip(&self.chances).enumerate().map(|(at, (row, chances))| {
-            let cells: Value = self.cells(at, &ranks).map(|cell| cell.json()).collect();
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::RANKING_ROW);
             stiffness::put_robot(&mut record, &row.robot);
             record.extend(self.standing(row));
             uncertainty::put_chances(&mut record, chances);
-            record.put(field::CELLS, cells);
-            record.json()
+            record.put(field::CELLS, self.cells(at, &ranks).collect::<Datum>());
+            record
         });
         told.collect()
     }
@@ -121,7 +120,7 @@ impl RankAnswer {
     /// Where a robot stands among the others.
     fn standing(&self, row: &Row) -> Record {
         let planar_rank = self.ranking.in_plane.as_ref().and_then(|planar| planar.row_of(&row.robot)?.rank);
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::STANDING);
         record
             .put(field::RANK, row.rank.map(|rank| rank.place))
             .put(field::RANK_TIED, row.rank.map(|rank| rank.is_tied))
@@ -138,7 +137,15 @@ impl RankAnswer {
         let Row { robot, cells, .. } = &rows[at];
         tasks.iter().zip(cells).zip(ranks).enumerate().map(move |(column, ((task, placed), ranks))| {
             let known = self.known[at][column];
-            let mut record = cell(robot, task, (model, &self.options), placed.as_ref(), (self.tolerance_mm, known));
+            let mut record = Record::of(&shape::PLACEMENT_IN_RANKING);
+            put_placement(
+                &mut record,
+                robot,
+                task,
+                (model, &self.options),
+                placed.as_ref(),
+                (self.tolerance_mm, known),
+            );
             record
                 .put(field::TASK_RANK, ranks[at].map(|rank| rank.place))
                 .put(field::TASK_RANK_TIED, ranks[at].map(|rank| rank.is_tied));
@@ -152,14 +159,14 @@ impl RankAnswer {
         self.advice.get(at)?.get(task)?.as_ref()
     }
 
-    fn winners(&self) -> Value {
+    fn winners(&self) -> Datum {
         let Ranking { tasks, .. } = &self.ranking;
         let told = tasks.iter().enumerate().map(|(task, asked)| {
             let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
             let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
             let best = self.ranking.best_published(task);
             let rivals: Vec<&str> = self.ranking.rivals(task).iter().map(|row| row.robot.name.as_str()).collect();
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::WINNER);
             record
                 .put(field::TASK, &asked.label)
                 .put(field::BEST, name(best))
@@ -168,22 +175,18 @@ impl RankAnswer {
                 .put(field::BEST_WITH_ESTIMATED, name(self.ranking.best(task, |_| true)))
                 .put(field::BEST_SERIAL, of(Architecture::Serial))
                 .put(field::BEST_QUASI_SERIAL, of(Architecture::QuasiSerial));
-            record.json()
+            record
         });
         told.collect()
     }
 
     /// One row per robot and task, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        let (mut columns, mut rows, ranks) = (Vec::new(), Vec::new(), self.ranks());
+        let columns = [shape::STANDING.columns(), shape::PLACEMENT_IN_RANKING.columns()].concat();
+        let (mut rows, ranks) = (Vec::new(), self.ranks());
         for (at, row) in self.ranking.rows.iter().enumerate() {
-            for record in self.cells(at, &ranks) {
-                let standing = self.standing(row);
-                if rows.is_empty() {
-                    columns = [standing.columns(), record.columns()].concat();
-                }
-                rows.push([standing.cells(), record.cells()].concat());
-            }
+            let standing = self.standing(row).cells();
+            rows.extend(self.cells(at, &ranks).map(|record| [standing.clone(), record.cells()].concat()));
         }
         Rows::new(columns, rows)
     }

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::field::{Field, Kind};
 use super::rows::{Cell, Column, ColumnKind, Rows};
+use super::shape::{Shape, Slot};
 
 /// A value, in SI where its field has a unit.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,13 +22,22 @@ pub enum Datum {
     Number(f64),
     /// Several; absent where one is open.
     Numbers(Vec<Option<f64>>),
-    /// Fields of its own, or a list.
-    Nested(Value),
+    /// A list of any length, by the kind of its field.
+    List(Value),
+    /// Fields of its own.
+    Object(Record),
+    /// Several such.
+    Objects(Vec<Record>),
 }
 
-/// Fields in the order in which they are told.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record(Vec<(Field, Datum)>);
+/// The fields of a [`Shape`] with their values: every key, null where nothing was put.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    shape: &'static Shape,
+    values: Vec<Datum>,
+    /// Where the next field is looked for first: fields are mostly put in their order.
+    next: usize,
+}
 
 macro_rules! datum_from {
     ($($kind:ty, $value:ident => $datum:expr;)*) => {
@@ -46,8 +56,8 @@ datum_from! {
     String, text => Self::Text(text);
     &String, text => Self::Text(text.clone());
     &str, text => Self::Text(text.to_owned());
-    Value, value => Self::Nested(value);
-    Record, record => Self::Nested(record.json());
+    Value, value => Self::List(value);
+    Record, record => Self::Object(record);
     &[f64], numbers => Self::Numbers(numbers.iter().copied().map(Some).collect());
 }
 
@@ -63,70 +73,100 @@ impl<T: Into<Self>> From<Option<T>> for Datum {
     }
 }
 
+impl FromIterator<Record> for Datum {
+    fn from_iter<I: IntoIterator<Item = Record>>(records: I) -> Self {
+        Self::Objects(records.into_iter().collect())
+    }
+}
+
 impl Record {
-    /// Nothing yet.
-    pub const fn new() -> Self {
-        Self(Vec::new())
+    /// Nothing is known yet.
+    pub fn of(shape: &'static Shape) -> Self {
+        Self { shape, values: vec![Datum::Absent; shape.slots().count()], next: 0 }
     }
 
-    /// Adds a field at the end.
+    /// Says what a field holds.
     ///
     /// # Panics
-    /// Where the value is not of the field's kind: a fault of this library.
+    /// Where the object has no such field, or the value is not of its kind: a fault of this library. Null where something always stands is
+    /// one that tests find.
     pub fn put(&mut self, field: Field, value: impl Into<Datum>) -> &mut Self {
         let value = value.into();
-        let fits = matches!(
-            (field.kind, &value),
-            (_, Datum::Absent)
-                | (Kind::Text, Datum::Text(_))
-                | (Kind::Truth, Datum::Truth(_))
-                | (Kind::Count, Datum::Count(_))
-                | (Kind::Number(_), Datum::Number(_))
-                | (Kind::Numbers { .. }, Datum::Numbers(_))
-                | (Kind::Nested, Datum::Nested(_))
-        );
-        assert!(fits, "{field:?} is no {value:?}");
-        self.0.push((field, value));
+        let at = self.position(field);
+        let slot = self.shape.slots().nth(at).expect("it was found");
+        assert!(fits(slot, &value), "{}: {field:?} is no {value:?}", self.shape.name);
+        self.values[at] = value;
+        self.next = at + 1;
         self
+    }
+
+    fn position(&self, field: Field) -> usize {
+        let is_it = |slot: &Slot| slot.field.key == field.key;
+        let behind = self.shape.slots().skip(self.next).position(is_it).map(|at| at + self.next);
+        let found = behind.or_else(|| self.shape.slots().position(is_it));
+        found.unwrap_or_else(|| panic!("{} has no {}", self.shape.name, field.key))
     }
 
     /// Adds all fields of another.
     pub fn extend(&mut self, other: Self) -> &mut Self {
-        self.0.extend(other.0);
+        for (slot, value) in other.shape.slots().zip(other.values) {
+            self.put(slot.field, value);
+        }
         self
+    }
+
+    fn slots(&self) -> impl Iterator<Item = (&'static Field, &Datum)> {
+        self.shape.slots().map(|slot| &slot.field).zip(&self.values)
     }
 
     /// As JSON: every key, null where nothing is known.
     pub fn json(&self) -> Value {
-        Value::Object(self.0.iter().map(|(field, datum)| (field.key.to_owned(), value_of(field, datum))).collect())
+        Value::Object(self.slots().map(|(field, datum)| (field.key.to_owned(), value_of(field, datum))).collect())
     }
 
-    /// The headings of a table of such records.
-    pub fn columns(&self) -> Vec<Column> {
-        self.0.iter().flat_map(|(field, _)| columns_of(field)).collect()
-    }
-
-    /// The same record as a row of that table.
+    /// The same record as a row of a table under the [headings](Shape::columns) of its shape.
     pub fn cells(&self) -> Vec<Cell> {
-        self.0.iter().flat_map(|(field, datum)| cells_of(field, datum)).collect()
+        self.slots().flat_map(|(field, datum)| cells_of(field, datum)).collect()
+    }
+}
+
+impl Shape {
+    /// The headings of a table of such objects.
+    pub fn columns(&self) -> Vec<Column> {
+        self.slots().flat_map(|slot| columns_of(&slot.field)).collect()
     }
 }
 
 impl Rows<'_> {
-    /// A row a record, under the headings of the first: those of one table have the same fields.
-    pub fn of(records: &[Record]) -> Self {
-        let columns = records.first().map(Record::columns).unwrap_or_default();
-        Self::new(columns, records.iter().map(Record::cells).collect())
+    /// A row a record.
+    pub fn of(shape: &'static Shape, records: impl IntoIterator<Item = Record>) -> Self {
+        Self::new(shape.columns(), records.into_iter().map(|record| record.cells()).collect())
     }
 }
 
 impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_map(Some(self.0.len()))?;
-        for (field, datum) in &self.0 {
+        let mut object = serializer.serialize_map(Some(self.values.len()))?;
+        for (field, datum) in self.slots() {
             object.serialize_entry(field.key, &value_of(field, datum))?;
         }
         object.end()
+    }
+}
+
+/// Is it what the field holds there?
+fn fits(slot: &Slot, value: &Datum) -> bool {
+    match (slot.field.kind, value) {
+        (_, Datum::Absent) => slot.may_be_null || !cfg!(debug_assertions),
+        (Kind::Text, Datum::Text(_))
+        | (Kind::Truth, Datum::Truth(_))
+        | (Kind::Count, Datum::Count(_))
+        | (Kind::Number(_), Datum::Number(_)) => true,
+        (Kind::Numbers { open, .. }, Datum::Numbers(numbers)) => open || numbers.iter().all(Option::is_some),
+        (kind @ Kind::List(_), Datum::List(items)) => kind.accepts(items),
+        (Kind::Object, Datum::Object(record)) => slot.of == Some(record.shape),
+        (Kind::Objects, Datum::Objects(records)) => records.iter().all(|record| slot.of == Some(record.shape)),
+        _ => false,
     }
 }
 
@@ -134,14 +174,26 @@ fn value_of(field: &Field, datum: &Datum) -> Value {
     match (field.kind, datum) {
         (Kind::Number(unit), Datum::Number(number)) => json!(unit.of_si(*number)),
         (Kind::Numbers { unit, nested, .. }, Datum::Numbers(numbers)) => {
-            let told: Vec<Option<f64>> = numbers.iter().map(|number| number.map(|si| unit.of_si(si))).collect();
-            if nested == 0 { json!(told) } else { told.chunks(nested).map(|part| json!(part)).collect() }
+            let in_unit: Vec<Option<f64>> = numbers.iter().map(|number| number.map(|si| unit.of_si(si))).collect();
+            if nested == 0 { json!(in_unit) } else { in_unit.chunks(nested).map(|part| json!(part)).collect() }
         }
         (_, Datum::Text(text)) => json!(text),
         (_, Datum::Truth(truth)) => json!(truth),
         (_, Datum::Count(count)) => json!(count),
-        (_, Datum::Nested(value)) => value.clone(),
+        (kind, Datum::List(items)) => in_unit(kind, items),
+        (_, Datum::Object(record)) => record.json(),
+        (_, Datum::Objects(records)) => records.iter().map(Record::json).collect(),
         (_, Datum::Absent | Datum::Number(_) | Datum::Numbers(_)) => Value::Null,
+    }
+}
+
+/// A list in the unit of its numbers.
+fn in_unit(kind: Kind, value: &Value) -> Value {
+    match (kind, value) {
+        (Kind::List(of), Value::Array(items)) => items.iter().map(|item| in_unit(*of, item)).collect(),
+        (Kind::Maybe(of), value) if !value.is_null() => in_unit(*of, value),
+        (Kind::Number(unit), Value::Number(number)) => number.as_f64().map_or(Value::Null, |si| json!(unit.of_si(si))),
+        (_, value) => value.clone(),
     }
 }
 
@@ -156,13 +208,13 @@ pub fn columns_of(field: &Field) -> Vec<Column> {
         Kind::Numbers { columns, .. } => {
             columns.iter().map(|heading| Column::new(*heading, ColumnKind::Number)).collect()
         }
-        Kind::Nested => Vec::new(),
+        Kind::List(_) | Kind::Maybe(_) | Kind::Object | Kind::Objects => Vec::new(),
     }
 }
 
 fn cells_of(field: &Field, datum: &Datum) -> Vec<Cell> {
     match (field.kind, datum) {
-        (Kind::Nested, _) => Vec::new(),
+        (Kind::List(_) | Kind::Maybe(_) | Kind::Object | Kind::Objects, _) => Vec::new(),
         (Kind::Numbers { columns, unit, .. }, Datum::Numbers(numbers)) => {
             let cell = |number: &Option<f64>| number.map_or(Cell::Absent, |si| Cell::Number(unit.of_si(si)));
             numbers.iter().map(cell).take(columns.len()).collect()
@@ -172,7 +224,7 @@ fn cells_of(field: &Field, datum: &Datum) -> Vec<Cell> {
         (_, Datum::Text(text)) => vec![Cell::Text(text.clone())],
         (_, Datum::Truth(truth)) => vec![Cell::Truth(*truth)],
         (_, Datum::Count(count)) => vec![Cell::Count(*count as i64)],
-        (_, Datum::Absent | Datum::Number(_) | Datum::Numbers(_) | Datum::Nested(_)) => vec![Cell::Absent],
+        (_, _) => vec![Cell::Absent],
     }
 }
 
@@ -185,29 +237,51 @@ pub fn looks_like_a_number(cell: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::field;
+    use super::super::{field, shape};
     use super::*;
 
     #[test]
-    fn every_key_is_told_and_every_column_filled_whatever_is_known() {
-        let mut record = Record::new();
-        record.put(field::ROBOT, "KR").put(field::DEFLECTION, 0.0025).put(field::X, None::<f64>);
-        record.put(field::WITHIN, Datum::Numbers(vec![Some(0.0), None, Some(1.0), Some(2.0)]));
-        record.put(field::WORST_POINT, None::<[f64; 3]>).put(field::LIMIT_MARGIN_JOINT, 3);
+    fn every_key_is_there_and_every_column_filled_whatever_is_known() {
+        let mut record = Record::of(&shape::RESOLUTION);
+        record.put(field::COARSE_STEP, 0.02).put(field::COARSE, 0.0025).put(field::FINE_TURN, std::f64::consts::PI);
+        record.put(field::COARSE, None::<f64>).put(field::SAMPLES, 3);
         let json = json!({
-            "robot": "KR", "deflection_mm": 2.5, "x_m": null, "within_m": [[0.0, null], [1.0, 2.0]], "worst_point_m": null,
-            "limit_margin_joint": 3,
+            "coarse_step_m": 0.02, "coarse_mm": null, "fine_step_m": null, "fine_turn_deg": 180.0, "sample_step_m": null, "samples": 3,
+            "halving": null, "boxes": null,
         });
         assert_eq!(record.json(), json);
         assert_eq!(serde_json::to_value(&record).unwrap(), json);
-        assert_eq!(record.columns().len(), record.cells().len());
-        assert_eq!(record.cells()[3..7], [Cell::Number(0.0), Cell::Absent, Cell::Number(1.0), Cell::Number(2.0)]);
-        assert_eq!(record.cells()[7..], [Cell::Absent, Cell::Absent, Cell::Absent, Cell::Count(3)]);
+        assert_eq!(shape::RESOLUTION.columns().len(), record.cells().len());
+        assert_eq!(record.cells()[2..6], [Cell::Absent, Cell::Number(180.0), Cell::Absent, Cell::Count(3)]);
+    }
+
+    #[test]
+    fn lists_are_in_the_unit_of_their_field() {
+        let mut record = Record::of(&shape::CALIBRATION);
+        record.put(field::POINTS_SEEN, json!([[0.1, 0.0, -0.25]])).put(field::NARROW, Datum::Objects(Vec::new()));
+        assert_eq!(record.json()["points_mm"], json!([[100.0, 0.0, -250.0]]));
+        assert_eq!(record.json()["narrow"], json!([]));
+        let mut chances = Record::of(&shape::RANKING_ROW);
+        chances.put(field::EXPECTED_REGRET, json!([null, 0.001]));
+        assert_eq!(chances.json()["expected_regret_mm"], json!([null, 1.0]));
     }
 
     #[test]
     #[should_panic(expected = "robot")]
     fn a_value_of_another_kind_is_refused() {
-        Record::new().put(field::ROBOT, 1.0);
+        Record::of(&shape::PLACEMENT).put(field::ROBOT, 1.0);
+    }
+
+    #[test]
+    #[should_panic(expected = "Resolution has no robot")]
+    fn a_field_of_another_object_is_refused() {
+        Record::of(&shape::RESOLUTION).put(field::ROBOT, "KR");
+    }
+
+    #[test]
+    #[cfg(debug_assertions)]
+    #[should_panic(expected = "samples")]
+    fn null_is_refused_where_something_always_stands() {
+        Record::of(&shape::RESOLUTION).put(field::SAMPLES, None::<usize>);
     }
 }

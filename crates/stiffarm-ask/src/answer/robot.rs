@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Object, Record, Rows, Table, field, stiffness, stiffnesses, words};
+use super::{Object, Record, Rows, Table, field, shape, stiffness, stiffnesses, words};
 use stiffarm::catalogue::microradians;
 use stiffarm::drive::Motors;
 use stiffarm::geometry::Geometry;
@@ -77,7 +77,7 @@ fn mass_json(Mass { carrier, body }: &Mass) -> Value {
 fn entry(robot: &Robot) -> Record {
     // The reader of robot files refuses limits that contradict each other, the only ones without links in a plane.
     let arm = robot.two_links().ok().map(|plane| plane.arm);
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::LISTED_ROBOT);
     record
         .put(field::VENDOR, &robot.vendor)
         .put(field::ROBOT, &robot.name)
@@ -97,7 +97,7 @@ fn entry(robot: &Robot) -> Record {
 
 /// Robots for a spreadsheet, a row each.
 pub fn list(robots: &[Robot]) -> Rows<'static> {
-    Rows::of(&robots.iter().map(entry).collect::<Vec<_>>())
+    Rows::of(&shape::LISTED_ROBOT, robots.iter().map(entry))
 }
 
 /// Robots for people, a row each.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::words::fixed;
-use super::{Record, Rows, Table, field, with_schema};
+use super::{Datum, Record, Rows, Table, field, shape, with_schema};
 use stiffarm::study::{Boundary, Contender, Mark, Row, Study};
 
 /// The answer of `study`; normalised as Table I of the paper.
@@ -15,7 +15,7 @@ impl StudyAnswer {
         let Study { options, rows, .. } = &self.0;
         rows.iter().map(|row| {
             let Contender { architecture, k2, k3 } = options.contenders[row.contender];
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::STUDY_ROW);
             record
                 .put(field::TASK, &options.tasks[row.task].label)
                 .put(field::SIZE, row.size)
@@ -29,17 +29,17 @@ impl StudyAnswer {
         })
     }
 
-    fn boundaries(&self) -> Value {
+    fn boundaries(&self) -> Datum {
         let Study { options, boundaries, .. } = &self.0;
         let told = boundaries.iter().map(|boundary| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::BOUNDARY);
             record
                 .put(field::TASK, &options.tasks[boundary.task].label)
                 .put(field::MU, boundary.mu)
                 .put(field::SIZE, boundary.size)
                 .put(field::BETTER_BELOW, options.name(boundary.below))
                 .put(field::BETTER_ABOVE, options.name(1 - boundary.below));
-            record.json()
+            record
         });
         told.collect()
     }
@@ -47,7 +47,7 @@ impl StudyAnswer {
     /// Where a robot with its work stands.
     fn mark(&self, mark: &Mark) -> Record {
         let Study { options, marked, .. } = &self.0;
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::STUDY_MARK);
         record
             .put(field::ROBOT, &mark.robot)
             .put(field::TASK, &options.tasks[mark.task].label)
@@ -96,17 +96,17 @@ impl StudyAnswer {
 
     /// As JSON: every accuracy, and where the better contender changes.
     pub fn json(&self) -> Value {
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::STUDY);
         record
-            .put(field::ROWS, self.records().map(|record| record.json()).collect::<Value>())
+            .put(field::ROWS, self.records().collect::<Datum>())
             .put(field::BOUNDARIES, self.boundaries())
-            .put(field::MARK, self.0.options.mark.as_ref().map(|mark| self.mark(mark).json()));
+            .put(field::MARK, self.0.options.mark.as_ref().map(|mark| self.mark(mark)));
         with_schema("study", "none", &record)
     }
 
     /// Every accuracy, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.records().collect::<Vec<_>>())
+        Rows::of(&shape::STUDY_ROW, self.records())
     }
 
     /// For people.

@@ -66,7 +66,7 @@ pub(super) fn put_chances(record: &mut Record, of_row: &[Option<Chances>]) {
     let ties: serde_json::Value = of_row.iter().map(|one| one.as_ref().map(|one| one.ties)).collect();
     record
         .put(field::WIN_PROBABILITY, each(|one| one.win))
-        .put(field::EXPECTED_REGRET, each(|one| Unit::Millimetre.of_si(one.regret)))
+        .put(field::EXPECTED_REGRET, each(|one| one.regret))
         .put(field::TIES_WITH_BEST, ties);
 }
 

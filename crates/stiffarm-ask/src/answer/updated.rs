@@ -1,16 +1,15 @@
 //! What do measurements make of what was known of the drives?
 
-use serde_json::Value;
 use stiffarm::identify::Updated;
 
 use super::numbers::digits;
 use super::words::fixed;
-use super::{Record, Table, field};
+use super::{Datum, Record, Table, field, shape};
 
 /// A record of each drive.
-pub(super) fn json(drives: &[Updated; 6]) -> Value {
+pub(super) fn records(drives: &[Updated; 6]) -> Datum {
     let of = |(drive, one): (usize, &Updated)| {
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::UPDATED_DRIVE);
         record
             .put(field::SPRING, drive + 1)
             .put(field::PRIOR, one.prior)
@@ -21,7 +20,7 @@ pub(super) fn json(drives: &[Updated; 6]) -> Value {
             .put(field::MOVED_BY_DATA, one.moved())
             .put(field::LEARNED, one.learned())
             .put(field::IS_SHOWN, one.is_shown());
-        record.json()
+        record
     };
     drives.iter().enumerate().map(of).collect()
 }

@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
+use super::robot::rounded;
 use super::words::fixed;
-use super::{Record, Rows, Table, Unit, field, line, with_schema};
+use super::{Datum, Record, Rows, Table, Unit, field, line, shape, with_schema};
 use stiffarm::catalogue::write;
 use stiffarm::limits::ThirdAxis;
 use stiffarm::robot::{Arm, Robot};
@@ -41,8 +42,8 @@ impl VerifyAnswer {
     pub fn json(&self) -> Value {
         let Verification { robot, as_file, fits, alike, postures, wrong_row, rows, is_measured, verified } =
             &self.found;
-        let degrees = |q: &[f64; 6]| q.map(|angle| fixed(Unit::Degree.of_si(angle), 6).parse::<f64>().unwrap_or(angle));
-        let mut answer = Record::new();
+        let degrees = |q: &[f64; 6]| q.map(|angle| rounded(Unit::Degree.of_si(angle)));
+        let mut answer = Record::of(&shape::VERIFICATION);
         answer
             .put(field::ROBOT, robot.name.as_str())
             .put(field::VERIFIED, *verified)
@@ -53,16 +54,10 @@ impl VerifyAnswer {
             .put(field::LARGEST_TURN, as_file.largest_turn)
             .put(field::BASE_SEEN, bases(as_file))
             .put(field::POINTS_SEEN, points(as_file))
-            .put(field::FITS, fits.iter().map(|fit| record(fit).json()).collect::<Value>())
+            .put(field::FITS, fits.iter().map(record).collect::<Datum>())
             .put(field::ALIKE, json!(alike))
             .put(field::POSTURES_TO_READ, postures.iter().map(|q| json!(degrees(q))).collect::<Value>())
-            .put(
-                field::WRONG_ROW,
-                wrong_row.map_or(
-                    Value::Null,
-                    |(line, off)| json!({ "line": line, "distance_mm": Unit::Millimetre.of_si(off) }),
-                ),
-            );
+            .put(field::WRONG_ROW, wrong_row.map(wrong_reading));
         with_schema("robots verify", "the frame of the readings", &answer)
     }
 
@@ -142,11 +137,11 @@ impl VerifyAnswer {
 impl VerifyRankAnswer {
     /// As JSON.
     pub fn json(&self) -> Value {
-        let mut answer = Record::new();
+        let mut answer = Record::of(&shape::FITTING_ROBOTS);
         answer
             .put(field::VERIFIED, false)
             .put(field::READ_ROWS, self.rows)
-            .put(field::FITS, self.fits.iter().map(|fit| record(fit).json()).collect::<Value>());
+            .put(field::FITS, self.fits.iter().map(record).collect::<Datum>());
         with_schema("robots verify", "the frame of the readings", &answer)
     }
 
@@ -202,7 +197,13 @@ fn what_fits(best: Option<&(Robot, Fit)>, as_file: &Fit) -> String {
 }
 
 fn rows(fits: &[(Robot, Fit)]) -> Rows<'static> {
-    Rows::of(&fits.iter().map(record).collect::<Vec<_>>())
+    Rows::of(&shape::WAY_OF_COUNTING, fits.iter().map(record))
+}
+
+fn wrong_reading((line, off): (usize, f64)) -> Record {
+    let mut record = Record::of(&shape::WRONG_READING);
+    record.put(field::LINE, line).put(field::DISTANCE_OFF, off);
+    record
 }
 
 fn record((robot, fit): &(Robot, Fit)) -> Record {
@@ -212,7 +213,7 @@ fn record((robot, fit): &(Robot, Fit)) -> Record {
         ThirdAxis::Forearm => "forearm",
     };
     let differences = differences(robot, fit);
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::WAY_OF_COUNTING);
     record
         .put(field::ROBOT, robot.name.as_str())
         .put(field::VENDOR, robot.vendor.as_str())
@@ -269,7 +270,7 @@ fn bases(fit: &Fit) -> Value {
 }
 
 fn points(fit: &Fit) -> Value {
-    fit.points.iter().map(|point| json!([0, 1, 2].map(|i| Unit::Millimetre.of_si(point[i])))).collect()
+    fit.points.iter().map(|point| json!(<[f64; 3]>::from(*point))).collect()
 }
 
 fn three(point: &Vector3<f64>) -> String {

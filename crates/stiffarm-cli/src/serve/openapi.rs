@@ -1,7 +1,8 @@
 //! What can be asked, and what is answered, as `OpenAPI` 3.1: from the table of options, so that it says what the server takes.
 
 use serde_json::{Map, Value, json};
-use stiffarm_ask::answer::{Kind as FieldKind, field};
+use stiffarm_ask::answer::field::Kind as FieldKind;
+use stiffarm_ask::answer::shape::{self, Shape, Slot};
 use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 use super::options::bounds;
@@ -55,8 +56,16 @@ pub(super) fn description() -> Value {
                             program `stiffarm` writes with the same options; units are the ending of each key.",
         },
         "paths": paths,
-        "components": { "schemas": { "Answer": answer(), "Forms": forms(), "Tables": tables(), "Refusal": refusal() } },
+        "components": { "schemas": schemas() },
     })
+}
+
+fn schemas() -> Map<String, Value> {
+    let mut schemas = objects();
+    for (name, schema) in [("Answer", answer()), ("Forms", forms()), ("Tables", tables()), ("Refusal", refusal())] {
+        schemas.insert(name.into(), schema);
+    }
+    schemas
 }
 
 /// A question to a verb.
@@ -90,12 +99,14 @@ fn asked(verb: Verb, about: &str) -> Value {
         "name": "Prefer", "in": "header", "required": false, "schema": { "type": "string" },
         "description": "wait=SECONDS (RFC 7240): how long an answer that is no stream may take, instead of what --time-limit-s says; who hangs up stops the work",
     });
+    let mut any = answers(verb);
+    any.push(json!({ "$ref": "#/components/schemas/Forms" }));
     let mut responses = refusals();
     responses["200"] = json!({
         "description": "What the program writes in this form; line by line, progress and then the answer, where application/x-ndjson is accepted",
         "headers": { "stiffarm-notes": { "description": "What the program says beside it: a JSON list of texts", "schema": { "type": "string" } } },
         "content": {
-            "application/json": { "schema": { "anyOf": [{ "$ref": "#/components/schemas/Answer" }, { "$ref": "#/components/schemas/Forms" }] } },
+            "application/json": { "schema": { "anyOf": any } },
             "application/x-ndjson": { "schema": stream() },
         },
     });
@@ -239,41 +250,68 @@ fn of_file(about: &str, schema: &Value) -> Value {
     told
 }
 
-/// Every key that an answer may have, with its type and what it is; what several things are called has what each of them is, and no type.
-fn answer() -> Value {
-    let mut keys = Map::new();
-    keys.insert(
-        "schema".into(),
-        json!({ "type": "object", "description": "Version of the keys, and what positions count from." }),
-    );
-    for field in field::all() {
-        let mut told = holds(field.kind);
-        told["description"] = field.about.into();
-        match keys.get_mut(field.key) {
-            None => drop(keys.insert(field.key.into(), told)),
-            Some(known) => {
-                let before = known["description"].as_str().unwrap_or_default();
-                *known = json!({ "description": format!("{before} Or: {}", field.about) });
-            }
-        }
-    }
-    json!({ "type": "object", "required": ["schema"], "properties": keys })
+/// Every object that stands in answers, by its name.
+fn objects() -> Map<String, Value> {
+    shape::all().into_iter().map(|shape| (shape.name.to_owned(), object(shape))).collect()
 }
 
-/// What a field holds; nothing where it is not known, and of a map a list, or a list for every row.
-fn holds(kind: FieldKind) -> Value {
-    let number = json!({ "type": ["number", "null"] });
-    match kind {
-        FieldKind::Text => json!({ "type": ["string", "array", "null"] }),
-        FieldKind::Truth => json!({ "type": ["boolean", "null"] }),
-        FieldKind::Count => json!({ "type": ["integer", "array", "null"] }),
-        FieldKind::Number(_) => json!({ "type": ["number", "array", "null"] }),
-        FieldKind::Numbers { nested: 0, .. } => json!({ "type": ["array", "null"], "items": number }),
-        FieldKind::Numbers { .. } => {
-            json!({ "type": ["array", "null"], "items": { "type": "array", "items": number } })
-        }
-        FieldKind::Nested => json!({ "type": ["object", "array", "null"] }),
+fn object(shape: &Shape) -> Value {
+    let keys: Vec<&str> = shape.slots().map(|slot| slot.field.key).collect();
+    let fields: Map<String, Value> = shape.slots().map(|slot| (slot.field.key.to_owned(), field(slot))).collect();
+    json!({ "type": "object", "description": shape.about, "required": keys, "properties": fields })
+}
+
+fn field(slot: &Slot) -> Value {
+    let mut schema = match (slot.field.kind, slot.of) {
+        (FieldKind::Object, Some(of)) => referred(of),
+        (FieldKind::Objects, Some(of)) => json!({ "type": "array", "items": referred(of) }),
+        (kind, _) => held(kind),
+    };
+    if slot.may_be_null {
+        schema = or_null(schema);
     }
+    schema["description"] = slot.field.about.into();
+    schema
+}
+
+fn referred(shape: &Shape) -> Value {
+    json!({ "$ref": format!("#/components/schemas/{}", shape.name) })
+}
+
+fn or_null(mut schema: Value) -> Value {
+    match schema["type"].take() {
+        Value::String(kind) => schema["type"] = json!([kind, "null"]),
+        _ => return json!({ "anyOf": [{ "$ref": schema["$ref"] }, { "type": "null" }] }),
+    }
+    schema
+}
+
+/// What stands in JSON for a value of a kind.
+fn held(kind: FieldKind) -> Value {
+    let list = |items: Value| json!({ "type": "array", "items": items });
+    match kind {
+        FieldKind::Text => json!({ "type": "string" }),
+        FieldKind::Truth => json!({ "type": "boolean" }),
+        FieldKind::Count => json!({ "type": "integer" }),
+        FieldKind::Number(_) => json!({ "type": "number" }),
+        FieldKind::Numbers { nested, open, .. } => {
+            let number = if open { json!({ "type": ["number", "null"] }) } else { json!({ "type": "number" }) };
+            if nested == 0 { list(number) } else { list(list(number)) }
+        }
+        FieldKind::List(of) => list(held(*of)),
+        FieldKind::Maybe(of) => or_null(held(*of)),
+        FieldKind::Object | FieldKind::Objects => json!({ "type": ["object", "array"] }),
+    }
+}
+
+/// An answer of a verb: its schema, then the fields of one of its objects.
+fn answers(verb: Verb) -> Vec<Value> {
+    let answer = json!({ "$ref": "#/components/schemas/Answer" });
+    shape::answers(verb).into_iter().map(|shape| json!({ "allOf": [answer, referred(shape)] })).collect()
+}
+
+fn answer() -> Value {
+    json!({ "type": "object", "required": ["schema"], "properties": { "schema": referred(&shape::SCHEMA) } })
 }
 
 fn refusals() -> Value {

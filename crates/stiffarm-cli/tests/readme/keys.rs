@@ -1,139 +1,85 @@
-//! Which keys does the answer of a verb have? Those of its recorded answers, each with its unit and what it is.
+//! Which keys does the answer of a verb have? Those of its shapes, each with its unit and what it is.
 
-use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use serde_json::{Map, Value};
-use stiffarm_ask::answer::field::{self, Field, Kind};
+use stiffarm_ask::answer::field::{Field, Kind};
+use stiffarm_ask::answer::shape::{self, Shape, Slot};
 use stiffarm_ask::request::Verb;
 
 use super::reference::{head, row, unit};
-use crate::recorded::recorded_json;
-
-/// What stood under one key, in any answer of a verb.
-#[derive(Default)]
-struct Seen {
-    /// Which plain values, or lists of them.
-    plain: BTreeSet<&'static str>,
-    is_list: bool,
-    /// What the objects under it hold, in the order of the first.
-    keys: Keys,
-}
-
-type Keys = Vec<(String, Seen)>;
-
-impl Seen {
-    fn see(&mut self, value: &Value) {
-        match value {
-            Value::Null => {}
-            Value::Bool(_) => drop(self.plain.insert("truth")),
-            Value::String(_) => drop(self.plain.insert("text")),
-            Value::Number(_) => drop(self.plain.insert("number")),
-            Value::Array(items) => {
-                self.is_list = true;
-                for item in items {
-                    self.see(item);
-                }
-            }
-            Value::Object(object) => see(&mut self.keys, object),
-        }
-    }
-
-    fn fits(&self, field: &Field) -> bool {
-        match field.kind {
-            Kind::Text => self.plain.contains("text") && !self.is_list,
-            Kind::Truth => self.plain.contains("truth"),
-            Kind::Count | Kind::Number(_) => self.plain.contains("number") && !self.is_list,
-            Kind::Numbers { .. } => self.plain.contains("number") && self.is_list,
-            Kind::Nested => self.is_list || !self.keys.is_empty(),
-        }
-    }
-
-    /// What is meant by a key in the answer of a verb: of the fields of the verb one that is listed behind the object in which it stands,
-    /// before the next object; else a field of the verb before those of others, one of the kind that was seen before the rest.
-    fn field(&self, verb: Verb, object: &str, key: &str) -> Option<&'static Field> {
-        let called = |field: &&Field| field.key == key;
-        let own = || field::of(verb).filter(called);
-        let fits = |field: &&Field| self.fits(field);
-        let behind = field::of(verb).skip_while(|field| field.key != object).skip(1);
-        let behind = behind.take_while(|field| field.kind != Kind::Nested).filter(called).find(fits);
-        let of_kind = behind.or_else(|| own().find(fits)).or_else(|| field::all().filter(called).find(fits));
-        of_kind.or_else(|| own().next()).or_else(|| field::all().find(called))
-    }
-}
-
-fn see(keys: &mut Keys, object: &Map<String, Value>) {
-    for (key, value) in object {
-        let at = keys.iter().position(|(known, _)| known == key).unwrap_or_else(|| {
-            keys.push((key.clone(), Seen::default()));
-            keys.len() - 1
-        });
-        keys[at].1.see(value);
-    }
-}
 
 /// A page as it is written, with objects that stand in several places once.
+#[derive(Default)]
 struct Page {
-    verb: Verb,
     text: String,
-    /// The keys of an object that was written, and where.
-    written: Vec<(Vec<String>, String)>,
-    /// Keys that have no field.
-    further: Vec<String>,
+    /// What was written.
+    fields: Vec<&'static Field>,
+    /// Objects that were written, and where.
+    objects: Vec<(&'static str, String)>,
 }
 
 impl Page {
-    fn write(&mut self, above: &str, object: &str, keys: &Keys) {
-        for (key, seen) in keys {
-            let path = format!("{above}{key}{}", if seen.is_list && !seen.keys.is_empty() { "[]" } else { "" });
-            let names: Vec<String> = seen.keys.iter().map(|(key, _)| key.clone()).collect();
-            let known = self.written.iter().find(|(of, _)| !names.is_empty() && *of == names).map(|(_, at)| at.clone());
-            let alike = match &known {
-                Some(at) => format!(" Its keys are those of `{at}`."),
-                None if self.verb == Verb::Mill && key == "chatter" => {
+    /// The fields of an object but for those that stand above with the same meaning.
+    fn write(&mut self, above: &str, shape: &Shape) {
+        for slot in self.own(shape) {
+            let path = format!("{above}{}{}", slot.field.key, if slot.field.kind == Kind::Objects { "[]" } else { "" });
+            let known = slot.of.and_then(|of| self.objects.iter().find(|(name, _)| *name == of.name));
+            let keys = match (known, slot.of) {
+                (Some((_, at)), _) => format!(" Its keys are those of `{at}`."),
+                (None, Some(of)) if *of == shape::PATH_CHATTER => {
                     " Its other keys are those of [chatter](chatter.md).".into()
                 }
-                None => String::new(),
+                (None, Some(of)) if self.own(of).len() < of.slots().count() => " Its other keys stand above.".into(),
+                (None, _) => String::new(),
             };
-            // A cell is as it was asked for.
-            match seen.field(self.verb, object, key).filter(|_| above != "cell.") {
-                Some(field) if above == "chatter." && field::of(Verb::Chatter).any(|own| own == field) => {}
-                Some(field) => {
-                    row(&mut self.text, &[&format!("`{path}`"), &unit(field), &format!("{}{alike}", field.about)]);
-                }
-                None => self.further.push(format!("`{path}`")),
-            }
-            // Below, a robot is as in its file.
-            if known.is_none() && self.verb != Verb::List {
-                self.written.push((names, path.clone()));
-                self.write(&format!("{path}."), key, &seen.keys);
+            let is_known = known.is_some();
+            row(&mut self.text, &[&format!("`{path}`"), &unit(&slot.field), &format!("{}{keys}", slot.field.about)]);
+            self.fields.push(&slot.field);
+            if let Some(of) = slot.of.filter(|_| !is_known) {
+                self.objects.push((of.name, path.clone()));
+                self.write(&format!("{path}."), of);
             }
         }
     }
+
+    fn own(&self, shape: &Shape) -> Vec<&'static Slot> {
+        // The cut of a path is that of `chatter`.
+        let is_elsewhere =
+            |field: &Field| *shape == shape::PATH_CHATTER && shape::CHATTER.slots().any(|slot| slot.field == *field);
+        let is_own = |slot: &&Slot| !self.fields.contains(&&slot.field) && !is_elsewhere(&slot.field);
+        shape.slots().filter(is_own).collect()
+    }
 }
 
-/// The keys of the answers of a verb; nothing where none are recorded.
+/// The keys of the answers of a verb.
 pub(super) fn of_verb(verb: Verb) -> String {
-    // The catalogue is a list of robots.
-    let mut seen = Seen::default();
-    for answer in recorded_json(verb.name()) {
-        seen.see(&answer);
-    }
-    let mut keys = seen.keys;
-    keys.retain(|(key, _)| key != "schema");
-    if keys.is_empty() {
-        return String::new();
-    }
-    let mut page = Page { verb, text: String::new(), written: Vec::new(), further: Vec::new() };
+    let of_paths = shape::answers(Verb::Mill);
+    let (of_mill, own): (Vec<_>, Vec<_>) = shape::answers(verb).into_iter().partition(|shape| of_paths.contains(shape));
+    let mut page = Page::default();
     page.text.push_str(
         "\n## Keys of its answer\n\nAs `--format json`, HTTP and Python's `to_dict()` have them: `a.b` stands in the object `a`, `a[].b` in each \
-         object of the list `a`. A key that does not apply is null. `schema` says the version of the keys and what positions count from. Objects \
-         whose keys have no line here stand in few answers: see the pages of [keys](keys_a_to_d.md).\n\n",
+         object of the list `a`. A key that does not apply is null. `schema` says the version of the keys and what positions count from.",
     );
+    let shapes = match verb {
+        Verb::Mill => of_mill,
+        Verb::List => vec![&shape::ROBOT_SHEET],
+        _ if !of_mill.is_empty() => {
+            page.text.push_str(" Of a toolpath they are those of [mill](mill.md).");
+            own
+        }
+        _ => own,
+    };
+    page.text.push_str("\n\n");
     head(&mut page.text, &["key", "unit", "meaning"]);
-    page.write("", "", &keys);
-    if !page.further.is_empty() {
-        let _ = writeln!(page.text, "\nAs in the robot file or in what was asked: {}.", page.further.join(", "));
+    for shape in shapes {
+        page.write("", shape);
+    }
+    if verb == Verb::List {
+        let _ = writeln!(
+            page.text,
+            "\nWhere they are known, by the keys of a robot file: `body`, `geometry`, `limits`, `masses[]`, `drives` (of the motors) and `verified`; and \
+             `arm_plane`, its two links with their limits in the arm plane."
+        );
     }
     page.text
 }
@@ -146,9 +92,11 @@ fn a_key_of_several_meanings_has_that_of_its_place() {
         (Verb::Mill, "| `worst_mm` | mm | The largest error along the path. |"),
         (Verb::Mill, "| `verdict` | text | pass where the tolerance is kept"),
         (Verb::Map, "| `zone.deflection_mm` | mm | The worst deflection in the zone at its best place. |"),
-        (Verb::Calibrate, "| `at_work.postures` | count | Postures over which it is told. |"),
+        (Verb::Calibrate, "| `at_work.postures` | count | Postures over which it is "),
         (Verb::Rank, "| `winners[].best` | text | The best robot whose geometry and limits are published. |"),
         (Verb::Study, "| `rows[].best` | yes or no | The link ratio is the best. |"),
+        (Verb::Measure, "| `compared.file` | text | The table. |"),
+        (Verb::Place, "| `cell.mount` | text | How the base is mounted"),
     ] {
         let text = of_verb(verb);
         assert!(text.contains(line), "{line}: {text}");

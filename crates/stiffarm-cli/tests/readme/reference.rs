@@ -146,13 +146,19 @@ fn of_verb(verb: Verb) -> String {
 
 /// A unit as its key ends, in words that people write.
 pub(super) fn unit(field: &Field) -> String {
-    match field.kind {
+    of_kind(field.kind)
+}
+
+fn of_kind(kind: Holds) -> String {
+    match kind {
         Holds::Text => "text".into(),
         Holds::Truth => "yes or no".into(),
         Holds::Count => "count".into(),
-        Holds::Nested => "fields of its own".into(),
+        Holds::Object | Holds::Objects => "fields of its own".into(),
+        Holds::List(of) | Holds::Maybe(of) => of_kind(*of),
         Holds::Number(unit) | Holds::Numbers { unit, .. } => match unit {
             Unit::One => "1",
+            Unit::Described => "as said",
             Unit::Metre => "m",
             Unit::Millimetre => "mm",
             Unit::Degree => "deg",

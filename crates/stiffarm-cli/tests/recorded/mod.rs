@@ -10,6 +10,8 @@ use std::path::Path;
 use assert_cmd::Command;
 use rayon::prelude::*;
 use serde_json::Value;
+use stiffarm_ask::answer::shape;
+use stiffarm_ask::request::Verb;
 
 use crate::readme::ROOT;
 use crate::readme::shown::words;
@@ -132,12 +134,27 @@ fn answers() -> BTreeMap<String, String> {
     answers
 }
 
-/// What was recorded of the questions of a verb, as JSON.
-pub(crate) fn recorded_json(verb: &str) -> Vec<Value> {
-    let of_verb = answers()
-        .into_iter()
-        .filter(|(question, _)| question.strip_prefix(verb).is_some_and(|rest| rest.starts_with(' ')));
-    of_verb.filter_map(|(_, answer)| parts(&answer).1).collect()
+/// Why an answer has not the keys that its verb is said to have, with what belongs under each; nothing where it has.
+fn misshapen(question: &str, answer: &Value) -> Option<String> {
+    let Value::Object(fields) = answer else {
+        // The catalogue, by the keys of robot files behind these.
+        let keys: Vec<&str> = shape::ROBOT_SHEET.slots().map(|slot| slot.field.key).collect();
+        let lacks = |robot: &Value| keys.iter().find(|key| robot.get(key).is_none()).copied();
+        let robots = answer.as_array().filter(|_| question.starts_with("robots list"))?;
+        return robots.iter().find_map(lacks).map(|key| format!("a robot without {key}"));
+    };
+    let mut fields = fields.clone();
+    let schema = fields.shift_remove("schema").unwrap_or_default();
+    if let Err(why) = shape::SCHEMA.check(schema.as_object()?) {
+        return Some(why);
+    }
+    let verb = schema["verb"].as_str().expect("checked");
+    let shapes = match Verb::ALL.into_iter().find(|known| known.name() == verb) {
+        Some(known) => shape::answers(known),
+        None => vec![&shape::LEDGER],
+    };
+    let faults: Vec<String> = shapes.iter().map_while(|shape| shape.check(&fields).err()).collect();
+    (faults.len() == shapes.len()).then(|| faults.join("\n"))
 }
 
 #[test]
@@ -168,6 +185,9 @@ fn every_recorded_question_has_its_answer() {
         if words != old_words {
             others.push(format!("{question}:\n{words}\nrecorded:\n{old_words}"));
         }
+        others.extend(
+            reply.json.as_ref().and_then(|json| misshapen(question, json)).map(|why| format!("{question}: {why}")),
+        );
         match (json, old_json) {
             (Some(new), Some(old)) => others.extend(difference(question, &new, &old)),
             (new, old) if new.is_some() != old.is_some() => others.push(format!("{question}: JSON or none")),
@@ -176,6 +196,20 @@ fn every_recorded_question_has_its_answer() {
     }
     assert_eq!(replies.len(), recorded.len(), "questions and recorded answers");
     assert!(others.is_empty(), "{}", others.join("\n\n"));
+}
+
+#[test]
+fn an_answer_of_another_shape_is_seen() {
+    let recorded = answers();
+    let (_, answer) = recorded.iter().find(|(question, _)| question.starts_with("study ")).expect("a study");
+    let answer = parts(answer).1.expect("as JSON");
+    assert_eq!(misshapen("study", &answer), None);
+    for (at, wrong) in [("/rows/0/d", Value::Null), ("/schema/version", "2".into()), ("/rows/0/best", 1.into())] {
+        let mut answer = answer.clone();
+        *answer.pointer_mut(at).expect("it is there") = wrong;
+        let key = at.rsplit('/').next().unwrap();
+        assert!(misshapen("study", &answer).is_some_and(|why| why.contains(&format!(".{key}: "))), "{at}");
+    }
 }
 
 #[test]

@@ -118,13 +118,6 @@ fn held(served: &Served, whole: &Value, (path, asked): (&str, &str), body: Optio
     let content = reply.json();
     let wrong = unlike(&content, schema, whole);
     assert_eq!(wrong, None, "{asked}: {}", reply.text());
-    let is_answer = schema["anyOf"][0]["$ref"] == "#/components/schemas/Answer";
-    if is_answer && !asked.contains(',') {
-        let known = &whole["components"]["schemas"]["Answer"]["properties"];
-        for key in content.as_object().unwrap().keys() {
-            assert!(known[key]["description"].is_string(), "{asked}: {key} is not described");
-        }
-    }
     reply.status
 }
 

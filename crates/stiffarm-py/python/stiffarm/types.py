@@ -138,8 +138,9 @@ class PlaceOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
-    horizontal, vertical (its long side), free, or degrees of its first side."""
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -258,8 +259,9 @@ class RankOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
-    horizontal, vertical (its long side), free, or degrees of its first side."""
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -397,8 +399,9 @@ class MapOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
-    horizontal, vertical (its long side), free, or degrees of its first side."""
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -540,8 +543,9 @@ class CompareOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
-    horizontal, vertical (its long side), free, or degrees of its first side."""
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -775,8 +779,9 @@ class ModesOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
-    horizontal, vertical (its long side), free, or degrees of its first side."""
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
@@ -1153,8 +1158,9 @@ class SweepOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
-    horizontal, vertical (its long side), free, or degrees of its first side."""
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -1206,38 +1212,52 @@ class SweepOptions(TypedDict, total=False):
     """Take the best place of the work although the arm may touch something there."""
 
 
+_Pass = TypedDict("_Pass", {"pass": "bool | None"})
+
+
 class Schema(TypedDict):
     """What a program must know to read an answer."""
 
     version: int
+    """The version of what keys mean."""
 
     verb: str
+    """What was asked."""
 
     origin: str
+    """What positions count from."""
 
     axes: str
+    """Which way axes point."""
 
     units: str
+    """Where the unit of a number stands."""
 
 
 class CellDict(TypedDict):
     """A cell as it was asked for."""
 
     mount: str
+    """How the base is mounted: pedestal, wall, ceiling, or pose where it was given as one."""
 
     base_m: list[float]
+    """The base in the axes of the cell, its floor at 0."""
 
     base_deg: list[float]
+    """How it is turned, about fixed x, y and z."""
 
     within_m: list[list[list[float | None]]]
-    """Where the zone may stand; null where it is open."""
+    """Where the work may stand: each window as ranges of x, y and z, or of the distance from the joint-1 axis
+    and z; null where a range is open."""
 
     keep_out_m: list[list[list[float | None]]]
+    """What is kept free: each box as ranges of x, y and z; null where a range is open."""
 
     keep_out_carries_base: list[int]
+    """Which of these boxes, from 1, the base stands in or on."""
 
     clearance_mm: float | None
-    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+    """What the arm was to keep from everything; null where it may touch."""
 
 
 class Resolution(TypedDict):
@@ -1335,7 +1355,7 @@ class LargestZone(TypedDict):
     deflection_mm: float | None
     """The worst deflection in the zone at its best place."""
 
-    fails_at_scale: float
+    fails_at_scale: float | None
     """The smallest part of that size that was tried and does not pass."""
 
     fails_proved: bool
@@ -1386,11 +1406,637 @@ class AdviceDict(TypedDict):
     """The largest zone of the shape that passes; null where the one that was asked for does."""
 
 
-_Pass = TypedDict("_Pass", {"pass": "bool | None"})
+class PlacedInRanking(_Pass):
+    """One placement of a ranking, with its rank for this task."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    force_n: float
+    """The cutting force."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    payload_kg: float | None
+    """Nominal payload."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
+    overloaded: bool | None
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
+
+    wrist_moment_nm: list[float] | None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
+
+    wrist_limit_nm: list[float] | None
+    """The largest that are allowed; null where the robot file has none."""
+
+    wrist_limit_by: str | None
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
+
+    wrist_exceeded: bool | None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
+
+    tool_mm: list[float] | None
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
+    tool_direction_deg: float | None
+    """The tool axis above the horizontal."""
+
+    within_m: list[list[float | None]] | None
+    """Where the zone may stand; null where it is open."""
+
+    cell: CellDict | None
+    """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
+    stands in or on, so that it is taken as what carries it; null where there is none."""
+
+    asked_limit_margin_deg: float
+    """What every joint was to keep from its limits."""
+
+    asked_singular_margin_deg: float
+    """What wrist and arm were to keep from straight."""
+
+    clear_of_base_m: float | None
+    """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
+
+    floor_m: float | None
+    """Height of the floor above which the zone was to stand, from the base; null where there is none."""
+
+    feasible: bool | None
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    proved: bool | None
+    """That there is no place is proved."""
+
+    largest_feasible_scale: float | None
+    """The largest scale at which a zone of this shape has a place."""
+
+    deflection_mm: float | None
+    """The worst deflection in the zone at its best place."""
+
+    lower_bound_mm: float | None
+    """No allowed place has less."""
+
+    x_m: float | None
+    """Ahead, from the base."""
+
+    z_m: float | None
+    """Up, from the base."""
+
+    bearing_deg: float | None
+    """Where about the joint-1 axis the zone stands."""
+
+    yaw_deg: float | None
+    """Of the zone's plane about the vertical."""
+
+    angle_deg: float | None
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+
+    roll_deg: float | None
+    """About the tool axis."""
+
+    shoulder: str | None
+    """front or back."""
+
+    elbow: str | None
+    """up or down."""
+
+    wrist: str | None
+    """no flip or flip."""
+
+    worst_point_m: list[float] | None
+    """Where in the zone the deflection is largest."""
+
+    from_axis_1_m: float | None
+    """Distance of the zone's nearest point from the joint-1 axis."""
+
+    below_base: bool | None
+    """Part of the zone lies below the base."""
+
+    behind_axis_1: bool | None
+    """Part of the zone lies behind the joint-1 axis."""
+
+    worst_joints_deg: list[float] | None
+    """Joint angles at the worst point as the robot reports them."""
+
+    pendant: str | None
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    worst_shares: list[float] | None
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    limit_margin_joint: int | None
+    """That joint; 0 is the angle between the links."""
+
+    singular_margin_deg: float | None
+    """The smallest angle to a singular posture in the zone."""
+
+    smallest_margin_deg: float | None
+    """The least that is kept from a joint limit or a straight posture anywhere in the zone."""
+
+    smallest_margin_of: str | None
+    """What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture."""
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_estimated: bool | None
+    """A radius in it is estimated."""
+
+    clearance_outside_mm: float | None
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
+    clearance_wide_mm: float | None
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
+
+    clearance_wide_of: str | None
+    """Which of those to what."""
+
+    cell_m: list[float] | None
+    """The centre of the zone in the axes of the cell, its floor at 0."""
+
+    resolution: Resolution | None
+    """How finely a place was looked for."""
+
+    faces: list[FaceDict] | None
+    """Every face of a part; null of one flat zone."""
+
+    deflection_mm_p05: float | None
+    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
+    not known."""
+
+    deflection_mm_p50: float | None
+    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
+    away."""
+
+    deflection_mm_p95: float | None
+    """Their 95th percentile."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+    task_rank: int | None
+    """The same for this task alone."""
+
+    task_rank_tied: bool | None
+    """Some other robot cannot be distinguished from it by the proof in this task."""
+
+    advice: AdviceDict | None
+    """What is missing where the tolerance is not kept, and what is left where it is; null where none was given,
+    and in a ranking of all but the best robots."""
 
 
-class _Placed(_Pass):
-    """One placement, of rankings and maps; `pass` says whether the tolerance is kept."""
+class RankingRow(TypedDict):
+    """One robot of a ranking."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    rank: int | None
+    """One more than the robots that are certainly better, their values below its bound; none for a robot that is
+    estimated, or of which nothing is known."""
+
+    rank_tied: bool | None
+    """Some other robot cannot be distinguished from it by the proof, at the nominal stiffness."""
+
+    planar_rank: int | None
+    """The rank in the planar ranking of the same robots and tasks."""
+
+    bound_mm: float | None
+    """Deflection at the stiffest posture of the links."""
+
+    mean_ratio: float | None
+    """How much worse than the best of each task, geometric mean."""
+
+    mean_ratio_bound: float | None
+    """The same of the proved lower bounds."""
+
+    win_probability: list[float | None]
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
+
+    expected_regret_mm: list[float | None]
+    """How much more than the best it has on average, of each task."""
+
+    ties_with_best: list[bool | None]
+    """It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive
+    stiffness, of each task; shared ranks are about the proof."""
+
+    cells: list[PlacedInRanking]
+    """One placement per task."""
+
+
+class Winner(TypedDict):
+    """Who is best at a task."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    best: str | None
+    """The best robot whose geometry and limits are published."""
+
+    told_apart: bool | None
+    """It is proved that no other is as good, at the nominal stiffness."""
+
+    rivals: list[str]
+    """Robots of published geometry that may be as good as the best."""
+
+    best_with_estimated: str | None
+    """The best robot of all."""
+
+    best_serial: str | None
+    """The best serial robot."""
+
+    best_quasi_serial: str | None
+    """The best quasi-serial robot."""
+
+
+class RankingDict(TypedDict):
+    """What `rank` answers."""
+
+    schema: Schema
+
+    tasks: list[str]
+    """The tasks as they were asked for."""
+
+    force_n: float
+    """The cutting force."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    rows: list[RankingRow]
+    """One entry per row."""
+
+    winners: list[Winner]
+    """Who is best at each task."""
+
+    summary: list[str]
+    """What a manager would read."""
+
+
+class PathLength(TypedDict):
+    """How long a path is."""
+
+    samples: int
+    """Samples along the path."""
+
+    length_m: float
+    """Length of the path, rapid ways and all."""
+
+    cutting_length_m: float
+    """Length of what feeds."""
+
+    time_s: float | None
+    """Time of what feeds; null where a feed rate is not said."""
+
+    box_m: list[list[float]] | None
+    """Two corners of the box about all feed moves, in the axes of the path."""
+
+    rapid_length_m: float
+    """Length of all rapid moves whose beginning is known."""
+
+    rapid_box_m: list[list[float]] | None
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
+    path; null where there is none."""
+
+
+class PinnedRoll(TypedDict):
+    """A roll that is pinned."""
+
+    sample: int
+    """Which sample, from 0."""
+
+    way_mm: float
+    """How far along the path it stands."""
+
+    roll_deg: float
+    """Its roll."""
+
+
+class RollChoice(TypedDict):
+    """How the tool is turned about its axis."""
+
+    mode: str
+    """free, constant, linear or fixed."""
+
+    from_deg: float | None
+    """The smallest roll: of the tool's x axis from the part's."""
+
+    to_deg: float | None
+    """The largest roll."""
+
+    pins: list[PinnedRoll]
+    """Where the roll is pinned: samples with their way along the path and their roll."""
+
+    posture: str | None
+    """The configuration that holds a point."""
+
+    rearranged: int | None
+    """How often the arm takes another configuration, clear of the work."""
+
+
+class PathContact(TypedDict):
+    """A stretch of a path along which the arm is nearer to something than it was to keep."""
+
+    line: int
+    """From 1."""
+
+    s_m: float
+    """How far along the path it is nearest."""
+
+    bodies: str
+    """Which link to what."""
+
+    depth_mm: float
+    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
+
+
+class PlaceSearch(TypedDict):
+    """How finely a place was looked for."""
+
+    fine_step_m: float
+    """The last step of the refinement."""
+
+    samples: int
+    """Samples that stood for the path in the search."""
+
+    boxes: int
+    """Boxes of places behind the lower bound."""
+
+
+class PathRankingRow(_Pass):
+    """One robot of a ranking on a path."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    rank: int | None
+    """One more than the robots that are certainly better, their values below its bound; none for a robot that is
+    estimated, or of which nothing is known."""
+
+    rank_tied: bool | None
+    """Some other robot cannot be distinguished from it by the proof, at the nominal stiffness."""
+
+    feasible: bool | None
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    worst_mm: float | None
+    """The largest error along the path."""
+
+    worst_mm_p05: float | None
+    """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
+    uncertainty of the drives is not known."""
+
+    worst_mm_p50: float | None
+    """Median."""
+
+    worst_mm_p95: float | None
+    """95th percentile."""
+
+    lower_bound_mm: float | None
+    """No rolls of the mode that was asked for, through the pins where there are some, and where the best place
+    was asked for no place, have less."""
+
+    rms_mm: float | None
+    """The root mean square of the error over what feeds."""
+
+    roll: RollChoice | None
+    """How the tool is turned about its axis."""
+
+    at_m: list[float] | None
+    """Where the path's origin stands, from the robot's base."""
+
+    at_yaw_deg: float | None
+    """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
+    leans."""
+
+    cell_m: list[float] | None
+    """Where the path's origin stands in the axes of the cell, its floor at 0; null without a cell."""
+
+    cell_yaw_deg: float | None
+    """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
+
+    limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    singular_margin_deg: float | None
+    """The smallest angle to a singular posture in the zone."""
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_by: list[str] | None
+    """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
+    file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and
+    what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the
+    `stock`."""
+
+    clearance_outside_mm: float | None
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
+    clearance_wide_mm: float | None
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
+
+    clearance_wide_of: str | None
+    """Which of those to what."""
+
+    asked_clearance_mm: float | None
+    """What the arm was to keep from everything; null where nobody looked."""
+
+    contacts: list[PathContact] | None
+    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
+    looked."""
+
+    unavoidable: PathContact | None
+    """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
+    configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+    win_probability: list[float | None]
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
+
+    expected_regret_mm: list[float | None]
+    """How much more than the best it has on average, of each task."""
+
+    ties_with_best: list[bool | None]
+    """It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive
+    stiffness, of each task; shared ranks are about the proof."""
+
+    search: PlaceSearch | None
+    """How finely a place was looked for; null where it was given."""
+
+
+class PathRankingDict(TypedDict):
+    """What `mill --robots` and `rank --task PATH` answer."""
+
+    schema: Schema
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    force: str | None
+    """Where the force on the tool comes from."""
+
+    part: PathLength | None
+    """The path as it was cut: samples, lengths and time."""
+
+    error: str | None
+    """What of the displacement counts: total, across or axial."""
+
+    rows: list[PathRankingRow]
+    """One entry per row."""
+
+    summary: list[str]
+    """What a manager would read."""
+
+    remarks: list[str]
+    """What is odd."""
+
+
+class Placed(_Pass):
+    """One placement; `pass` says whether the tolerance is kept."""
 
     robot: str
     """The maker's name for the robot."""
@@ -1629,8 +2275,8 @@ class _Placed(_Pass):
     and in a ranking of all but the best robots."""
 
 
-class Placed(_Placed, total=False):
-    """One placement, of rankings and maps; `pass` says whether the tolerance is kept."""
+class _OfRanking(TypedDict, total=False):
+    """What a placement of a ranking has besides."""
 
     task_rank: int | None
     """The same for this task alone."""
@@ -1639,1188 +2285,17 @@ class Placed(_Placed, total=False):
     """Some other robot cannot be distinguished from it by the proof in this task."""
 
 
-class PlacementDict(Placed):
-    """`stiffarm.Placement.to_dict`."""
+class PlacementDict(Placed, _OfRanking):
+    """What `place` answers."""
 
     schema: Schema
-
-
-class RankingRow(TypedDict):
-    """One robot of a ranking."""
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    architecture: str
-    """serial or quasi-serial."""
-
-    architecture_assumed: bool
-    """Nothing says that it is of this architecture."""
-
-    status: str
-    """How well the robot's numbers are known."""
-
-    stiffness_source: str
-    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
-
-    drive_urad_per_nm: list[float | None]
-    """The compliance of each drive; null where a robot of two links has none."""
-
-    rank: int | None
-    """One more than the robots that are certainly better, their values below its bound; none for a robot that is
-    estimated, or of which nothing is known."""
-
-    rank_tied: bool | None
-    """Some other robot cannot be distinguished from it by the proof, at the nominal stiffness."""
-
-    planar_rank: int | None
-    """The rank in the planar ranking of the same robots and tasks."""
-
-    bound_mm: float | None
-    """Deflection at the stiffest posture of the links."""
-
-    mean_ratio: float | None
-    """How much worse than the best of each task, geometric mean."""
-
-    mean_ratio_bound: float
-    """The same of the proved lower bounds."""
-
-    win_probability: list[float | None]
-    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
-
-    expected_regret_mm: list[float | None]
-    """How much more than the best it has on average, of each task."""
-
-    ties_with_best: list[bool | None]
-    """It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive
-    stiffness, of each task; shared ranks are about the proof."""
-
-    cells: list[Placed]
-    """One placement per task."""
-
-
-class Winner(TypedDict):
-    """Who is best at a task."""
-
-    task: str
-    """The zone as it was asked for."""
-
-    best: str | None
-    """The best robot whose geometry and limits are published."""
-
-    told_apart: bool | None
-    """It is proved that no other is as good, at the nominal stiffness."""
-
-    rivals: list[str]
-    """Robots of published geometry that may be as good as the best."""
-
-    best_with_estimated: str | None
-    """The best robot of all."""
-
-    best_serial: str | None
-    """The best serial robot."""
-
-    best_quasi_serial: str | None
-    """The best quasi-serial robot."""
-
-
-class RankingDict(TypedDict):
-    """`stiffarm.Ranking.to_dict`."""
-
-    schema: Schema
-
-    tasks: list[str]
-    """The tasks as they were asked for."""
-
-    force_n: float
-    """The cutting force."""
-
-    force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
-
-    force_direction: list[float] | None
-    """Its unit direction along these axes."""
-
-    force_cone_deg: float | None
-    """By how much it may point aside."""
-
-    feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
-
-    component: str
-    """What of the displacement counts: total, normal (to the face) or along (the force)."""
-
-    model: str
-    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
-
-    rows: list[RankingRow]
-    """One entry per row."""
-
-    winners: list[Winner]
-    """Who is best at each task."""
-
-    summary: list[str]
-    """What a manager would read."""
-
-
-class ComparisonDict(TypedDict):
-    """`stiffarm.Comparison.to_dict`."""
-
-    schema: Schema
-
-    a: Placed
-    """The first setup, as place tells it."""
-
-    b: Placed
-    """The second setup."""
-
-    ratio: float | None
-    """The deflection of the second over that of the first; null where one has no place."""
-
-    told_apart: bool
-    """It is proved that no other is as good, at the nominal stiffness."""
-
-    better: str | None
-    """Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be
-    distinguished."""
-
-    win_probability: list[float] | None
-    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
-
-    differ_in: list[str]
-    """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
-    place."""
-
-    summary: list[str]
-    """What a manager would read."""
-
-
-class StudyRow(TypedDict):
-    """One contender at one size."""
-
-    task: str
-    """The zone as it was asked for."""
-
-    d: float
-    """The size over l2 + l3."""
-
-    mu_l3_over_l2: float | None
-    """The link ratio; null where every contender has its best."""
-
-    best: bool
-    """The link ratio is the best."""
-
-    architecture: str
-    """serial or quasi-serial."""
-
-    k2: float
-    """Compliance of drive 2 over the reference."""
-
-    k3: float
-    """Compliance of drive 3 over the reference."""
-
-    accuracy: float | None
-    """The worst deflection over k F (l2 + l3)^2; null where the zone does not fit."""
-
-
-class Boundary(TypedDict):
-    """A size at which the better one changes."""
-
-    task: str
-    """The zone as it was asked for."""
-
-    mu_l3_over_l2: float | None
-    """The link ratio; null where every contender has its best."""
-
-    d: float
-    """The size over l2 + l3."""
-
-    better_below: str
-    """The better contender for smaller tasks."""
-
-    better_above: str
-    """The better contender for larger tasks."""
-
-
-class StudyMark(TypedDict):
-    """A robot with its task among what was studied."""
-
-    robot: str
-    """The maker's name for the robot."""
-
-    task: str
-    """The zone as it was asked for."""
-
-    mu_l3_over_l2: float
-    """The link ratio; null where every contender has its best."""
-
-    d: float
-    """The size over l2 + l3."""
-
-    accuracies: list[float | None]
-    """What either contender would have there; null where the task does not fit."""
-
-    stiffer: str | None
-    """The contender that has less."""
-
-
-class StudyDict(TypedDict):
-    """`stiffarm.Study.to_dict`."""
-
-    schema: Schema
-
-    rows: list[StudyRow]
-    """One entry per row."""
-
-    boundaries: list[Boundary]
-    """Sizes at which the better architecture changes."""
-
-    mark: StudyMark | None
-    """Where the robot with its task stands among what was studied."""
-
-
-class _MapDict(TypedDict):
-    """`stiffarm.Map.to_dict`."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    architecture: str
-    """serial or quasi-serial."""
-
-    architecture_assumed: bool
-    """Nothing says that it is of this architecture."""
-
-    status: str
-    """How well the robot's numbers are known."""
-
-    stiffness_source: str
-    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
-
-    drive_urad_per_nm: list[float | None]
-    """The compliance of each drive; null where a robot of two links has none."""
-
-    model: str
-    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
-
-    force_n: float
-    """The cutting force."""
-
-    force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
-
-    force_direction: list[float] | None
-    """Its unit direction along these axes."""
-
-    force_cone_deg: float | None
-    """By how much it may point aside."""
-
-    feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
-
-    component: str
-    """What of the displacement counts: total, normal (to the face) or along (the force)."""
-
-    direction_deg: float | None
-    """Of the force in the arm plane, from straight ahead."""
-
-    tool_mm: list[float] | None
-    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
-
-    tool_direction_deg: float | None
-    """The tool axis above the horizontal."""
-
-    roll_tolerance: float | None
-    """How much more than at the best roll a point may tell, relative."""
-
-    tool_mass_kg: None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
-
-    tool_com_mm: None
-    """Mass centre of the tool in the flange frame."""
-
-    tool_inertia_kg_m2: None
-    """Inertia of the tool about its mass centre, along flange axes."""
-
-    slowest_hz_p05: None
-    """5th percentile, over draws of the drive stiffness, of the first frequency at the slowest point of the map;
-    null where its uncertainty is not known, and where frequencies are not mapped."""
-
-    zone: Placed | None
-    """The best placement of the task that was given."""
-
-    x_m: list[float]
-    """Ahead, from the base."""
-
-    z_m: list[float]
-    """Up, from the base."""
-
-    limit_margin_deg: list[list[float | None]] | None
-    """The smallest distance of any joint to its limits in the zone."""
-
-    singular_margin_deg: list[list[float | None]] | None
-    """The smallest angle to a singular posture in the zone."""
-
-    posture: list[list[str | None]] | None
-    """The configuration that holds a point."""
-
-    roll_deg: list[list[float | None]] | None
-    """About the tool axis."""
-
-    first_frequency_hz: list[list[float | None]] | None
-    """The first frequency at every point of a map, in its configuration and at its roll, motors held still; null
-    where it was not asked for (quantity first-frequency)."""
-
-
-class MapDict(_MapDict, total=False):
-    """`stiffarm.Map.to_dict`."""
-
-    worst_mm: list[list[float | None]]
-    """Deflection under the force in its worst direction."""
-
-    deflection_mm: list[list[float | None]]
-    """The translation under it."""
-
-
-class IdentifiedDrive(TypedDict):
-    """What is found of a drive."""
-
-    drive: int
-    """Which drive, from 1."""
-
-    compliance_urad_per_nm: float | None
-    """The compliance found; null where it is not seen."""
-
-    standard_error_urad_per_nm: float | None
-    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
-
-    ci95_urad_per_nm: list[float] | None
-    """Where it lies with 95 %."""
-
-    stiffness_nm_per_rad: float | None
-    """One over the compliance found."""
-
-    robust_urad_per_nm: float | None
-    """The compliance by Huber's estimate."""
-
-    identified: bool
-    """The measurements show it, to half of itself or better."""
-
-    why_not: str | None
-    """Why they do not."""
-
-    used_urad_per_nm: float
-    """What the robot file has: found with all that is not identified held, or as it was before."""
-
-
-class FurtherSpring(TypedDict):
-    """What is found of what springs besides the drives."""
-
-    spring: str
-    """Its name."""
-
-    joint_2_deg: list[float] | None
-    """Where joint 2 stood, as reported, deg; null of what is no region of joint 2."""
-
-    compliance_urad_per_nm: float | None
-    """The compliance found; null where it is not seen."""
-
-    standard_error_urad_per_nm: float | None
-    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
-
-    ci95_urad_per_nm: list[float] | None
-    """Where it lies with 95 %."""
-
-    stiffness_nm_per_rad: float | None
-    """One over the compliance found."""
-
-    robust_urad_per_nm: float | None
-    """The compliance by Huber's estimate."""
-
-    identified: bool
-    """The measurements show it, to half of itself or better."""
-
-    why_not: str | None
-    """Why they do not."""
-
-    used_urad_per_nm: float
-    """What the robot file has: found with all that is not identified held, or as it was before."""
-
-
-class TriedModel(TypedDict):
-    """A model that was tried."""
-
-    model: str
-    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
-
-    rms_left_out_mm: float | None
-    """The same of each posture by the others; null where a posture alone shows some drive."""
-
-    bic: float | None
-    """Schwarz's criterion; less is better."""
-
-    why_not: str | None
-    """Why they do not."""
-
-
-class ReadingRemainder(TypedDict):
-    """What remains of a row of the measurements."""
-
-    row: int
-    """Its number, from 1."""
-
-    posture: int
-    """Its posture, from 1."""
-
-    measured_mm: list[float]
-    """The displacement along base axes."""
-
-    remains_mm: list[float]
-    """What the compliances found leave of it."""
-
-    left_out_mm: float | None
-    """Length of what those leave that are found without its posture."""
-
-    sigmas: float
-    """What Huber's estimate leaves of it, in standard deviations of a coordinate."""
-
-
-class FoundCompensator(TypedDict):
-    """What is found of a gravity compensator."""
-
-    spring: str
-    """Its name."""
-
-    unit: str
-    """The unit of its numbers."""
-
-    found: float | None
-    """What is found; null where it is not seen."""
-
-    standard_error: float | None
-    """Its standard error."""
-
-    ci95: list[float] | None
-    """Where it lies with 95 %."""
-
-    identified: bool
-    """The measurements show it, to half of itself or better."""
-
-    why_not: str
-    """Why they do not."""
-
-    used: float
-    """What the robot file has."""
-
-
-class UpdatedDrive(TypedDict):
-    """What measurements make of the prior of a drive."""
-
-    drive: int
-    """Which drive, from 1."""
-
-    prior_urad_per_nm: float
-    """Median of the prior."""
-
-    prior_sd_ln: float
-    """Standard deviation of its logarithm."""
-
-    posterior_urad_per_nm: float
-    """Median of the posterior."""
-
-    posterior_sd_ln: float
-    """Standard deviation of its logarithm."""
-
-    ci95_urad_per_nm: list[float]
-    """Where it lies with 95 %."""
-
-    moved_sd: float
-    """How far the measurements moved it, in standard deviations of the prior."""
-
-    learned: float
-    """What part of the variance of the prior the measurements took away."""
-
-    shown: bool
-    """The measurements tell more of it than the prior, and it is known to half of itself."""
-
-
-class IdentificationDict(TypedDict):
-    """`stiffarm.Identification.to_dict`."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    date: str | None
-    """When was measured."""
-
-    fit: str
-    """least-squares or huber."""
-
-    postures: int
-    """How many postures."""
-
-    readings: int
-    """How many rows."""
-
-    model: str
-    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
-
-    drives: list[IdentifiedDrive]
-    """One entry per drive."""
-
-    springs: list[FurtherSpring]
-    """What springs besides the drives."""
-
-    compensator: list[FoundCompensator]
-    """What is found of a gravity compensator: its spring, and its preload."""
-
-    posterior: list[UpdatedDrive] | None
-    """What the measurements make of the prior, drive by drive; null where that was not asked for."""
-
-    models: list[TriedModel]
-    """The models that were tried."""
-
-    rms_before_mm: float
-    """How far a coordinate moved, root mean square."""
-
-    rms_after_mm: float
-    """What the compliances found leave of that."""
-
-    rms_left_out_mm: float | None
-    """The same of each posture by the others; null where a posture alone shows some drive."""
-
-    rms_used_mm: float
-    """What the compliances of the robot file leave of that."""
-
-    explained: float
-    """1 - rms after / rms before."""
-
-    explained_left_out: float | None
-    """The same of each posture by the others."""
-
-    noise_ratio: float | None
-    """How many times the noise that the table tells the remainders are."""
-
-    condition: float | None
-    """The largest singular value over the smallest; null where some drive is not seen."""
-
-    singular_values: list[float]
-    """Of all rows, mm per urad/(N m), descending."""
-
-    least_seen: list[float]
-    """The combination of drives that is seen worst; its squares add up to 1."""
-
-    correlation: list[list[float]]
-    """Correlation of the compliances found."""
-
-    outliers: list[int]
-    """Rows that do not fit, from 1, the worst first."""
-
-    residuals: list[ReadingRemainder]
-    """What remains of every row."""
-
-    remarks: list[str]
-    """What is odd."""
-
-
-class ExpectedDrive(TypedDict):
-    """How well a drive will be known."""
-
-    drive: int
-    """Which drive, from 1."""
-
-    compliance_urad_per_nm: float
-    """The compliance found; null where it is not seen."""
-
-    standard_error_urad_per_nm: float | None
-    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
-
-
-class MeasurementRun(TypedDict):
-    """A posture and a load."""
-
-    run: int
-    """Its number, from 1."""
-
-    joints_deg: list[float]
-    """Joint angles as the robot reports them, deg."""
-
-    load: str
-    """In which direction is loaded."""
-
-    force_n: list[float]
-    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
-
-    expected_mm: float
-    """How far the marker is expected to move."""
-
-
-class ComparedTable(TypedDict):
-    """What a table of one's own is worth."""
-
-    file: str
-    """The robot file."""
-
-    runs: int
-    """One entry per run, in the order in which they are made."""
-
-    value: float
-    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
-    parts of the compliances."""
-
-    efficiency: float
-    """The bound over the value: 1 is proved best."""
-
-
-class MeasurementPlanDict(TypedDict):
-    """`stiffarm.MeasurementPlan.to_dict`."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    architecture: str
-    """serial or quasi-serial."""
-
-    architecture_assumed: bool
-    """Nothing says that it is of this architecture."""
-
-    status: str
-    """How well the robot's numbers are known."""
-
-    stiffness_source: str
-    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
-
-    drive_urad_per_nm: list[float]
-    """The compliance of each drive; null where a robot of two links has none."""
-
-    pendant: str
-    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
-    whoever asks), unknown."""
-
-    criterion: str
-    """What a plan is judged by."""
-
-    value: float
-    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
-    parts of the compliances."""
-
-    lower_bound: float
-    """No plan of so many runs of the candidates has less."""
-
-    efficiency: float
-    """The bound over the value: 1 is proved best."""
-
-    random_efficiency: float | None
-    """The same of the median random choice; null where that leaves some drive unseen."""
-
-    candidates: int
-    """Among so many was chosen."""
-
-    drives: list[ExpectedDrive]
-    """One entry per drive."""
-
-    unseen_drives: list[int]
-    """Drives that no candidate shows."""
-
-    unseen_share: float
-    """What part of the variance of the prediction is the prior of these drives."""
-
-    advised_loads: list[str]
-    """Directions of loads that show them, where some do."""
-
-    runs: list[MeasurementRun]
-    """One entry per run, in the order in which they are made."""
-
-    compared: ComparedTable | None
-    """What the table that was given is worth."""
-
-
-class PlannedPosture(TypedDict):
-    """A posture in which points are measured."""
-
-    run: int
-    """Its number, from 1."""
-
-    joints_deg: list[float]
-    """Joint angles as the robot reports them, deg."""
-
-
-class CalibrationLeaves(TypedDict):
-    """What so many postures leave."""
-
-    postures: int
-    """How many postures."""
-
-    expected_mm: float
-    """How far the marker is expected to move."""
-
-
-class PlannedAtWork(TypedDict):
-    """The error that a calibration leaves at the work."""
-
-    expected_mm: float
-    """How far the marker is expected to move."""
-
-    lower_bound_mm: float
-    """No allowed place has less."""
-
-    random_mm: float
-    """What the median random choice leaves."""
-
-    as_drawn_mm: float
-    """Without a calibration."""
-
-    unexplained_mm: float
-    """The part of all of these that no error of the arm explains, and no calibration takes away."""
-
-    postures: int
-    """How many postures."""
-
-
-class CalibrationPlanDict(TypedDict):
-    """`stiffarm.CalibrationPlan.to_dict`."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    pendant: str
-    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
-    whoever asks), unknown."""
-
-    points_mm: list[list[float]]
-    """The points that were looked at, in the flange frame, mm."""
-
-    at_work: PlannedAtWork
-    """The error that remains at the work: expected, with its interval, and over how many postures; null where
-    the arm does not reach it."""
-
-    efficiency: float
-    """The bound over the value: 1 is proved best."""
-
-    random_efficiency: float
-    """The same of the median random choice; null where that leaves some drive unseen."""
-
-    candidates: int
-    """Among so many was chosen."""
-
-    by_count: list[CalibrationLeaves]
-    """What so many postures leave, each chosen after those before."""
-
-    runs: list[PlannedPosture]
-    """One entry per run, in the order in which they are made."""
-
-
-class LevelFit(TypedDict):
-    """What a level leaves."""
-
-    level: str
-    """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
-
-    own_weight: str | None
-    """How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the
-    compliance of each drive (`drives`) as all that is unknown; null of levels without it."""
-
-    rms_mm: float
-    """The root mean square of the error over what feeds."""
-
-    median_mm: float
-    """Median of the distances."""
-
-    p95_mm: float
-    """95th percentile of the distances."""
-
-    largest_mm: float
-    """What counts of the translation, the largest that the force may cause."""
-
-    left_out_rms_mm: float | None
-    """Root mean square of the distances that are predicted where a third of a joint's range is left out; null
-    where none can be."""
-
-    shown: float
-    """How many parameters the rows show: the trace of one less posterior over prior."""
-
-    log_evidence: float
-    """Logarithm of the marginal likelihood, up to what all levels share."""
-
-
-class WrongRow(TypedDict):
-    """A point that was left out."""
-
-    line: int
-    """From 1."""
-
-    point: int
-
-    distance_mm: float
-
-
-class NarrowJoint(TypedDict):
-    """A joint that moved over less than a third of its range."""
-
-    joint: int
-
-    share: float
-
-
-class CalibratedAtWork(TypedDict):
-    """The error that remains at the work."""
-
-    expected_mm: float
-    """How far the marker is expected to move."""
-
-    ci95_mm: list[float]
-    """Where that root mean square lies with 95 %."""
-
-    work_p95_mm: float
-    """95th percentile of the error at the work."""
-
-    postures: int
-    """How many postures."""
-
-
-class CalibrationDict(TypedDict):
-    """`stiffarm.Calibration.to_dict`."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    level: str
-    """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
-
-    own_weight: str | None
-    """How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the
-    compliance of each drive (`drives`) as all that is unknown; null of levels without it."""
-
-    rows: int
-    """Postures that were read."""
-
-    nominal_rms_mm: float
-    """Root mean square of the distances of the arm as drawn."""
-
-    levels: list[LevelFit]
-    """Every level: what it leaves."""
-
-    wrong_rows: list[WrongRow]
-    """Points that were left out: line of the file, point (0: all of the row) and distance, mm."""
-
-    tracker_in_base: list[list[float]]
-    """Each stand of the tracker in the base: x, y, z mm and turns about fixed x, y, z deg."""
-
-    points_mm: list[list[float]]
-    """The points that were looked at, in the flange frame, mm."""
-
-    zero_deg: list[float]
-    """Zero offset of each joint, as a robot file has it."""
-
-    frames_mm_mrad: list[list[float]]
-    """Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros
-    are left out."""
-
-    weight_mrad: list[float] | None
-    """How drives yield under the arm's own weight, null where it is that of masses: of drive 2 on sin t2, cos
-    t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool."""
-
-    weight_ci95_mrad: list[list[float]] | None
-    """Where each lies with 95 %."""
-
-    drives: list[UpdatedDrive] | None
-    """One entry per drive."""
-
-    gears_mrad: list[list[float]]
-    """Once per turn of each joint: sine, cosine."""
-
-    narrow: list[NarrowJoint]
-    """Joints that moved over less than a third of their range, with that share."""
-
-    at_work: CalibratedAtWork | None
-    """The error that remains at the work: expected, with its interval, and over how many postures; null where
-    the arm does not reach it."""
-
-
-class WayOfCounting(TypedDict):
-    """A way of counting the joints."""
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    third_axis: str
-    """What joint 3 counts from: elbow, the upper arm; forearm, the horizontal."""
-
-    sign: list[float]
-    """Of each joint, as in a robot file."""
-
-    zero_deg: list[float]
-    """Zero offset of each joint, as a robot file has it."""
-
-    carried: list[float]
-    """By how much joints of the wrist carry others along: 4 turns 5, 4 turns 6, 5 turns 6."""
-
-    rms_mm: float
-    """The root mean square of the error over what feeds."""
-
-    largest_mm: float
-    """What counts of the translation, the largest that the force may cause."""
-
-    largest_deg: float | None
-    """The largest turn between orientations; null where none was read."""
-
-    differs: str
-    """The same in a line."""
-
-    differences: list[str]
-    """In what it differs from its robot file, in words."""
-
-
-class WrongReading(TypedDict):
-    """The row that does not agree."""
-
-    line: int
-    """From 1."""
-
-    distance_mm: float
-
-
-class VerificationDict(TypedDict):
-    """`stiffarm.Verification.to_dict`."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    verified: bool
-    """The readings agree with the robot file, and with no other way of counting the joints."""
-
-    rows: int
-    """Postures that were read."""
-
-    measured: bool
-    """Points were measured by an instrument; else the controller computed them."""
-
-    largest_mm: float
-    """What counts of the translation, the largest that the force may cause."""
-
-    rms_mm: float
-    """The root mean square of the error over what feeds."""
-
-    largest_deg: float | None
-    """The largest turn between orientations; null where none was read."""
-
-    base_mm_deg: list[list[float]]
-    """The base of the robot file in the frame of the readings: x, y, z mm and turns about fixed x, y, z deg; one
-    for each stand."""
-
-    points_mm: list[list[float]]
-    """The points that were looked at, in the flange frame, mm."""
-
-    fits: list[WayOfCounting]
-    """Robots and ways of counting the joints, the best first."""
-
-    alike: list[str]
-    """What the readings do not tell apart, in words."""
-
-    postures_deg: list[list[float]]
-    """Postures that would tell it apart: joint angles."""
-
-    wrong_row: WrongReading | None
-    """The row that is off where all others agree: its line in the file and its distance, mm; null where there is
-    none."""
-
-
-class FittingRobotsDict(TypedDict):
-    """`stiffarm.FittingRobots.to_dict`."""
-
-    schema: Schema
-
-    verified: bool
-    """The readings agree with the robot file, and with no other way of counting the joints."""
-
-    rows: int
-    """Postures that were read."""
-
-    fits: list[WayOfCounting]
-    """Robots and ways of counting the joints, the best first."""
-
-
-class ForceDict(TypedDict):
-    """`stiffarm.Force.to_dict`."""
-
-    schema: Schema
-
-    process: str
-    """The process file."""
-
-    law: str
-    """Where the force comes from."""
-
-    material: str | None
-    """The material whose numbers come with the program; null where they are given."""
-
-    material_status: str | None
-    """How well its numbers are known: published or unverified."""
-
-    material_source: str | None
-    """Who says so."""
-
-    mean_n: list[float] | None
-    """Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the
-    work); null where it may point anywhere."""
-
-    max_n: list[float] | None
-    """The largest of each over a revolution."""
-
-    min_n: list[float] | None
-    """The smallest of each over a revolution."""
-
-    largest_n: float
-    """The largest size of the force over a revolution."""
-
-    moment_nm: float
-    """Mean moment on the tool about its axis, positive about the axis away from the work."""
-
-    power_w: float | None
-    """Mean power of the spindle; null where its speed or the moment is not known."""
-
-    spindle_rpm: float | None
-    """Speed of the spindle."""
-
-    entry_deg: float | None
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
-
-    exit_deg: float | None
-    """Where a tooth leaves."""
-
-    assumed: list[str]
-    """What the file leaves open and how it was taken, with the line that came first."""
-
-
-class PathLength(TypedDict):
-    """How long a path is."""
-
-    samples: int
-    """How many they are."""
-
-    length_m: float
-    """Length of the path, rapid ways and all."""
-
-    cutting_length_m: float
-    """Length of what feeds."""
-
-    time_s: float
-    """Time of all feed moves; null where a feed rate is missing."""
-
-    box_m: list[list[float]]
-    """Two corners of the box about all feed moves, in the axes of the path."""
-
-    rapid_length_m: float
-    """Length of all rapid moves whose beginning is known."""
-
-    rapid_box_m: list[list[float]] | None
-    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
-    path; null where there is none."""
-
-
-class PinnedRoll(TypedDict):
-    """A roll that is pinned."""
-
-    sample: int
-    """Which sample, from 0."""
-
-    way_mm: float
-    """How far along the path it stands."""
-
-    roll_deg: float
-    """About the tool axis."""
-
-
-class RollChoice(TypedDict):
-    """How the tool is turned about its axis."""
-
-    mode: str
-    """free, constant, linear or fixed."""
-
-    from_deg: float | None
-    """The smallest roll: of the tool's x axis from the part's."""
-
-    to_deg: float | None
-    """The largest roll."""
-
-    pins: list[PinnedRoll]
-    """Where the roll is pinned: samples with their way along the path and their roll."""
-
-    posture: str | None
-    """The configuration that holds a point."""
-
-    rearranged: int | None
-    """How often the arm takes another configuration, clear of the work."""
-
-
-class PlaceSearch(TypedDict):
-    """How finely a place was looked for."""
-
-    fine_step_m: float
-    """The last step of the refinement."""
-
-    samples: int
-    """How many they are."""
-
-    boxes: int
-    """Boxes of places behind the lower bound."""
-
-
-class PathContact(TypedDict):
-    """A stretch of a path along which the arm is nearer to something than it was to keep."""
-
-    line: int
-    """From 1."""
-
-    s_m: float
-    """How far along the path it is nearest."""
-
-    bodies: str
-    """Which link to what."""
-
-    depth_mm: float
-    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
 
 
 class FedBackDict(TypedDict):
     """What becomes of an error as the cut changes by it."""
 
-    worst_mm: float
-    """Deflection under the force in its worst direction."""
+    worst_mm: float | None
+    """The largest error along the path."""
 
     contraction: float
     """What of a displacement the cut gives back at most; from 1 on nothing settles."""
@@ -2830,13 +2305,13 @@ class FedBackDict(TypedDict):
 
 
 class UncoveredSamples(TypedDict):
-    """Samples of a path for which chatter is not assessed."""
+    """Samples of a path of whose chatter nothing is known."""
 
     why: str
     """plunge, turn in place, force of the path (it gives no cut), or air."""
 
     samples: int
-    """How many they are."""
+    """Samples along the path."""
 
     lines: list[int]
     """Lines of the file, ascending; none of a path built in."""
@@ -2845,7 +2320,7 @@ class UncoveredSamples(TypedDict):
 class PathChatter(TypedDict):
     """Whether the cuts of a path swing with the arm."""
 
-    chatter_verdict: str
+    chatter_verdict: str | None
     """What is told of robot modes and of spindle modes along a path, in words, with the sample of which it is."""
 
     covered_samples: int
@@ -2950,17 +2425,17 @@ class PathChatter(TypedDict):
     spindle_modes: str
     """unknown where nothing was measured at the tip, else measured; those of the work are never looked at."""
 
-    frf: None
+    frf: str | None
     """The table of what was measured at the tip; null where there is none."""
 
-    frf_on: None
+    frf_on: str | None
     """What held the tip while it was measured: rigid (spindle, holder and cutter alone) or robot (it takes the
     place of the model); null without a table."""
 
-    measured_modes: None
+    measured_modes: list[float] | None
     """Frequencies of the modes of the table, Hz; null without a table of modes."""
 
-    measured_between: None
+    measured_between: list[float] | None
     """From where to where the table tells frequency by frequency, Hz; null without one."""
 
     deepest_roll_deg: float | None
@@ -2985,8 +2460,74 @@ class PathChatter(TypedDict):
     """The largest error along the path so rolled."""
 
 
+class CompensatedPath(TypedDict):
+    """What compensation makes of a path."""
+
+    largest_correction_mm: float
+    """By how much a tip is led aside at most."""
+
+    left_by_joints_mm: float
+    """The largest error that is left by the model where joints, or whole poses, are commanded."""
+
+    left_by_tips_mm: float | None
+    """The same where tips alone are, the tool turned as in the path; null where one is not reached."""
+
+    left_median_mm: float | None
+    """Median over draws of the drive stiffness; null where its uncertainty is not known."""
+
+    left_p95_mm: float | None
+    """95th percentile over these draws."""
+
+    uncertainty: str | None
+    """The source of the uncertainty of the drive stiffness."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
+    beyond_limits: int
+    """Samples at which a joint is commanded beyond its range."""
+
+
+class TrueArm(TypedDict):
+    """The largest error of a calibrated arm, geometry and load together."""
+
+    uncorrected_mm: float
+    """Where nothing is corrected."""
+
+    by_stiffness_mm: float | None
+    """Where the deflection alone is; null under a force that may point anywhere."""
+
+    by_geometry_mm: float
+    """Where the geometry alone is."""
+
+    by_both_mm: float | None
+    """Where both are, by the model; null under a force that may point anywhere."""
+
+    calibration_left_mm: float | None
+    """What the calibration leaves where it was not measured, rms."""
+
+    beyond_limits: int
+    """Samples at which a joint is commanded beyond its range."""
+
+
+class ArmError(TypedDict):
+    """The geometric error of arms that nobody has calibrated."""
+
+    median_mm: float
+    """Median of the distances."""
+
+    p95_mm: float
+    """95th percentile of the distances."""
+
+
 class MilledDict(_Pass):
-    """`stiffarm.Milled.to_dict`."""
+    """What `mill` answers of a path."""
 
     schema: Schema
 
@@ -3006,13 +2547,13 @@ class MilledDict(_Pass):
     force: str
     """Where the force on the tool comes from."""
 
-    payload_kg: float
+    payload_kg: float | None
     """Nominal payload."""
 
-    tool_mass_kg: None
+    tool_mass_kg: float | None
     """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
-    overloaded: bool
+    overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
     payload is known."""
 
@@ -3045,27 +2586,27 @@ class MilledDict(_Pass):
     asked_singular_margin_deg: float
     """What wrist and arm were to keep from straight."""
 
-    speed_share: float
+    speed_share: float | None
     """Of the joints' speeds what is used at most; null where the robot file tells none."""
 
     clear_of_base_m: float | None
     """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
 
-    cell: None
+    cell: CellDict | None
     """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
     stands in or on, so that it is taken as what carries it; null where there is none."""
 
-    at_m: list[float]
+    at_m: list[float] | None
     """Where the path's origin stands, from the robot's base."""
 
-    at_yaw_deg: float
+    at_yaw_deg: float | None
     """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
     leans."""
 
-    cell_m: None
-    """The centre of the zone in the axes of the cell, its floor at 0."""
+    cell_m: list[float] | None
+    """Where the path's origin stands in the axes of the cell, its floor at 0; null without a cell."""
 
-    cell_yaw_deg: None
+    cell_yaw_deg: float | None
     """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
 
     feasible: bool
@@ -3075,7 +2616,7 @@ class MilledDict(_Pass):
     """Why there is no place, or it is not known."""
 
     worst_mm: float | None
-    """Deflection under the force in its worst direction."""
+    """The largest error along the path."""
 
     worst_mm_p05: float | None
     """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
@@ -3088,7 +2629,8 @@ class MilledDict(_Pass):
     """95th percentile."""
 
     lower_bound_mm: float | None
-    """No allowed place has less."""
+    """No rolls of the mode that was asked for, through the pins where there are some, and where the best place
+    was asked for no place, have less."""
 
     roll_lower_bound_mm: float | None
     """No rolls of that mode have less at this place."""
@@ -3107,162 +2649,6 @@ class MilledDict(_Pass):
 
     worst_shares: list[float] | None
     """What each drive gives of the worst deflection; adds up to 1."""
-
-    limit_margin_deg: float | None
-    """The smallest distance of any joint to its limits in the zone."""
-
-    singular_margin_deg: float | None
-    """The smallest angle to a singular posture in the zone."""
-
-    clearance_mm: float | None
-    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
-
-    clearance_of: str | None
-    """Which link to what."""
-
-    clearance_by: list[str] | None
-    """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
-    file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and
-    what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the
-    `stock`."""
-
-    clearance_outside_mm: float | None
-    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
-    none is estimated."""
-
-    clearance_wide_mm: float | None
-    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
-    negative where they overlap, so that the arm may touch; null where its bodies are known."""
-
-    clearance_wide_of: str | None
-    """Which of those to what."""
-
-    asked_clearance_mm: float
-    """What the arm was to keep from everything; null where nobody looked."""
-
-    contacts: list[PathContact] | None
-    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
-    looked."""
-
-    unavoidable: PathContact | None
-    """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
-    configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
-
-    tolerance_mm: float | None
-    """The largest deflection that is acceptable."""
-
-    verdict: str | None
-    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
-
-    probability: float | None
-    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
-    identified model; null where neither uncertainty is known."""
-
-    margin_mm: float | None
-    """What is left of the tolerance."""
-
-    fed_back: FedBackDict | None
-    """What becomes of the largest error as width and depth of the cut change with the displacement; null where
-    no cut is known."""
-
-    chatter: PathChatter | None
-    """Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to
-    the cut; null where that was not asked, or the path is not followed."""
-
-    compensation: None
-    """What compensation makes of the path; null where it was not asked for."""
-
-    search: PlaceSearch | None
-    """How finely a place was looked for; null where it was given."""
-
-    work_frame: str | None
-    """How the place of the work was found: measured or touched; null where nothing is followed."""
-
-    true_arm: None
-    """The largest error of the calibrated arm, geometry and load together; null of an arm that was not
-    calibrated."""
-
-    arm_error: dict[str, object] | None
-    """The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile;
-    null of one that was calibrated."""
-
-    remarks: list[str]
-    """What is odd."""
-
-
-class PathRankingRow(_Pass):
-    """One robot of a ranking on a path."""
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    architecture: str
-    """serial or quasi-serial."""
-
-    architecture_assumed: bool
-    """Nothing says that it is of this architecture."""
-
-    status: str
-    """How well the robot's numbers are known."""
-
-    stiffness_source: str
-    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
-
-    drive_urad_per_nm: list[float | None]
-    """The compliance of each drive; null where a robot of two links has none."""
-
-    rank: int | None
-    """One more than the robots that are certainly better, their values below its bound; none for a robot that is
-    estimated, or of which nothing is known."""
-
-    rank_tied: bool | None
-    """Some other robot cannot be distinguished from it by the proof, at the nominal stiffness."""
-
-    feasible: bool | None
-    """There is a place; null where it is not known."""
-
-    reason: str | None
-    """Why there is no place, or it is not known."""
-
-    worst_mm: float | None
-    """Deflection under the force in its worst direction."""
-
-    worst_mm_p05: float | None
-    """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
-    uncertainty of the drives is not known."""
-
-    worst_mm_p50: float | None
-    """Median."""
-
-    worst_mm_p95: float | None
-    """95th percentile."""
-
-    lower_bound_mm: float | None
-    """No allowed place has less."""
-
-    rms_mm: float | None
-    """The root mean square of the error over what feeds."""
-
-    roll: RollChoice | None
-    """How the tool is turned about its axis."""
-
-    at_m: list[float] | None
-    """Where the path's origin stands, from the robot's base."""
-
-    at_yaw_deg: float | None
-    """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
-    leans."""
-
-    cell_m: None
-    """The centre of the zone in the axes of the cell, its floor at 0."""
-
-    cell_yaw_deg: None
-    """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
 
     limit_margin_deg: float | None
     """The smallest distance of any joint to its limits in the zone."""
@@ -3319,156 +2705,496 @@ class PathRankingRow(_Pass):
     margin_mm: float | None
     """What is left of the tolerance."""
 
-    win_probability: list[float | None]
-    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
+    fed_back: FedBackDict | None
+    """What becomes of the largest error as width and depth of the cut change with the displacement; null where
+    no cut is known."""
 
-    expected_regret_mm: list[float | None]
-    """How much more than the best it has on average, of each task."""
+    chatter: PathChatter | None
+    """Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to
+    the cut; null where that was not asked, or the path is not followed."""
 
-    ties_with_best: list[bool | None]
-    """It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive
-    stiffness, of each task; shared ranks are about the proof."""
+    compensation: CompensatedPath | None
+    """What compensation makes of the path; null where it was not asked for."""
 
     search: PlaceSearch | None
     """How finely a place was looked for; null where it was given."""
 
+    work_frame: str | None
+    """How the place of the work was found: measured or touched; null where nothing is followed."""
 
-class PathRankingDict(TypedDict):
-    """`stiffarm.PathRanking.to_dict`."""
+    true_arm: TrueArm | None
+    """The largest error of the calibrated arm, geometry and load together; null of an arm that was not
+    calibrated."""
 
-    schema: Schema
-
-    path: str
-    """The toolpath as it was asked for."""
-
-    force: str | None
-    """Where the force on the tool comes from."""
-
-    part: PathLength | None
-    """The path as it was cut: samples, lengths and time."""
-
-    error: str | None
-    """What of the displacement counts: total, across or axial."""
-
-    rows: list[PathRankingRow]
-    """One entry per row."""
-
-    summary: list[str]
-    """What a manager would read."""
+    arm_error: ArmError | None
+    """The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile;
+    null of one that was calibrated."""
 
     remarks: list[str]
     """What is odd."""
 
 
-class PublishedNumber(TypedDict):
-    """A published number."""
+class MilledWithTool(_Pass):
+    """What one tool of several mills."""
 
-    source: str
-    """Where it is published."""
+    tool_number: int
+    """The number of the tool in the file of the path."""
 
-    item: str
-    """What it is of."""
+    tool_mm: list[float]
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
 
-    cell: str
-    """Which number."""
+    robot: str
+    """The maker's name for the robot."""
 
-    printed: str
-    """As it is printed."""
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
-    computed: float | None
-    """As it is computed."""
-
-    agrees: bool
-    """The two agree to the digits that are printed."""
-
-    note: str | None
-    """Why they do not."""
-
-
-class LedgerDict(TypedDict):
-    """`stiffarm.Ledger.to_dict`."""
-
-    schema: Schema
-
-    rows: list[PublishedNumber]
-    """One entry per row."""
-
-
-class ToolpathDict(TypedDict):
-    """`stiffarm.Toolpath.to_dict`."""
-
-    schema: Schema
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
 
     path: str
     """The toolpath as it was asked for."""
 
-    format: str
-    """How it is written: gcode, apt, csv or built-in."""
+    force: str
+    """Where the force on the tool comes from."""
 
-    lines: int | None
-    """Lines that were read."""
+    payload_kg: float | None
+    """Nominal payload."""
 
-    feed_length_m: float
-    """Length of all moves at a feed rate."""
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
 
-    rapid_length_m: float
-    """Length of all rapid moves whose beginning is known."""
+    overloaded: bool | None
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
 
-    feed_moves: int
-    """Moves at a feed rate."""
+    wrist_moment_nm: list[float] | None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
 
-    rapid_moves: int
-    """Rapid moves whose beginning is known."""
+    wrist_limit_nm: list[float] | None
+    """The largest that are allowed; null where the robot file has none."""
 
-    tools: list[None]
-    """Numbers of the tools that feed, in the order in which they come; null where none is named."""
+    wrist_limit_by: str | None
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
 
-    machine_moves: int
-    """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
+    wrist_exceeded: bool | None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
 
-    arcs: int
-    """Feed moves that are arcs or helices."""
+    part: PathLength
+    """The path as it was cut: samples, lengths and time."""
 
-    full_circles: int
-    """Of these, those of a whole turn or more."""
+    roll: RollChoice
+    """How the tool is turned about its axis."""
 
-    arc_length_m: float
-    """Length of the arcs."""
+    error: str
+    """What of the displacement counts: total, across or axial."""
 
-    box_m: list[list[float]] | None
-    """Two corners of the box about all feed moves, in the axes of the path."""
+    asked_limit_margin_deg: float
+    """What every joint was to keep from its limits."""
 
-    rapid_box_m: list[list[float]] | None
-    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
-    path; null where there is none."""
+    asked_singular_margin_deg: float
+    """What wrist and arm were to keep from straight."""
 
-    feed_mm_per_min: list[float] | None
-    """The smallest and the largest feed rate; null where none is said."""
+    speed_share: float | None
+    """Of the joints' speeds what is used at most; null where the robot file tells none."""
 
-    time_s: float | None
-    """Time of all feed moves; null where a feed rate is missing."""
+    clear_of_base_m: float | None
+    """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
 
-    tilt_deg: float
-    """The largest angle between tool axis and z while it feeds."""
+    cell: CellDict | None
+    """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
+    stands in or on, so that it is taken as what carries it; null where there is none."""
 
-    turn_deg: float
-    """The largest angle of the tool axis to where it first feeds."""
+    at_m: list[float] | None
+    """Where the path's origin stands, from the robot's base."""
 
-    samples: int
-    """How many they are."""
+    at_yaw_deg: float | None
+    """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
+    leans."""
 
-    chord_error_mm: float
-    """By how much chords between samples are off the arcs at most."""
+    cell_m: list[float] | None
+    """Where the path's origin stands in the axes of the cell, its floor at 0; null without a cell."""
 
-    arc_miss_mm: float
-    """By how much the ends of an arc miss one radius at most."""
+    cell_yaw_deg: float | None
+    """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
 
-    assumed: list[str]
-    """What the file leaves open and how it was taken, with the line that came first."""
+    feasible: bool
+    """There is a place; null where it is not known."""
 
-    ignored: list[str]
-    """Words of the file that move nothing, each kind once."""
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    worst_mm: float | None
+    """The largest error along the path."""
+
+    worst_mm_p05: float | None
+    """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
+    uncertainty of the drives is not known."""
+
+    worst_mm_p50: float | None
+    """Median."""
+
+    worst_mm_p95: float | None
+    """95th percentile."""
+
+    lower_bound_mm: float | None
+    """No rolls of the mode that was asked for, through the pins where there are some, and where the best place
+    was asked for no place, have less."""
+
+    roll_lower_bound_mm: float | None
+    """No rolls of that mode have less at this place."""
+
+    rms_mm: float | None
+    """The root mean square of the error over what feeds."""
+
+    worst_sample: int | None
+    """The sample with the largest error, from 0."""
+
+    worst_line: int | None
+    """Its line in the file; 0 of a path built in."""
+
+    worst_joints_deg: list[float] | None
+    """Joint angles at the worst point as the robot reports them."""
+
+    worst_shares: list[float] | None
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    singular_margin_deg: float | None
+    """The smallest angle to a singular posture in the zone."""
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_by: list[str] | None
+    """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
+    file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and
+    what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the
+    `stock`."""
+
+    clearance_outside_mm: float | None
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
+    clearance_wide_mm: float | None
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
+
+    clearance_wide_of: str | None
+    """Which of those to what."""
+
+    asked_clearance_mm: float | None
+    """What the arm was to keep from everything; null where nobody looked."""
+
+    contacts: list[PathContact] | None
+    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
+    looked."""
+
+    unavoidable: PathContact | None
+    """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
+    configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+    fed_back: FedBackDict | None
+    """What becomes of the largest error as width and depth of the cut change with the displacement; null where
+    no cut is known."""
+
+    chatter: PathChatter | None
+    """Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to
+    the cut; null where that was not asked, or the path is not followed."""
+
+    compensation: CompensatedPath | None
+    """What compensation makes of the path; null where it was not asked for."""
+
+    search: PlaceSearch | None
+    """How finely a place was looked for; null where it was given."""
+
+    work_frame: str | None
+    """How the place of the work was found: measured or touched; null where nothing is followed."""
+
+    true_arm: TrueArm | None
+    """The largest error of the calibrated arm, geometry and load together; null of an arm that was not
+    calibrated."""
+
+    arm_error: ArmError | None
+    """The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile;
+    null of one that was calibrated."""
+
+    remarks: list[str]
+    """What is odd."""
+
+
+class MilledByToolDict(_Pass):
+    """What `mill` answers of a path with several tools."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    feasible: bool
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    worst_mm: float | None
+    """The largest error along the path."""
+
+    worst_tool: int | None
+    """The tool with the largest error, of a path that is milled with several."""
+
+    worst_line: int | None
+    """Its line in the file; 0 of a path built in."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+    by_tool: list[MilledWithTool]
+    """What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its
+    number and its tip."""
+
+    remarks: list[str]
+    """What is odd."""
+
+
+class MapDict(TypedDict):
+    """What `map` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    force_n: float
+    """The cutting force."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    direction_deg: float | None
+    """Of the force in the arm plane, from straight ahead."""
+
+    tool_mm: list[float] | None
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
+    tool_direction_deg: float | None
+    """The tool axis above the horizontal."""
+
+    roll_tolerance: float | None
+    """How much more than at the best roll a point may tell, relative."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
+    tool_com_mm: list[float] | None
+    """Mass centre of the tool in the flange frame."""
+
+    tool_inertia_kg_m2: list[float] | None
+    """Inertia of the tool about its mass centre, along flange axes."""
+
+    slowest_hz_p05: float | None
+    """5th percentile, over draws of the drive stiffness, of the first frequency at the slowest point of the map;
+    null where its uncertainty is not known, and where frequencies are not mapped."""
+
+    zone: Placed | None
+    """The best placement of the task that was given."""
+
+    x_m: list[float]
+    """Ahead, from the base: of each column of cells."""
+
+    z_m: list[float]
+    """Up, from the base: of each row of cells."""
+
+    worst_mm: list[list[float | None]] | None
+    """Deflection under the force in its worst direction, row by row; null where a cell is not reached, and
+    without rows where the force has a direction."""
+
+    deflection_mm: list[list[float | None]] | None
+    """Deflection under the force in the direction asked for, row by row; null without rows where none was."""
+
+    limit_margin_deg: list[list[float | None]] | None
+    """The distance to the nearest joint limit, row by row; in space."""
+
+    singular_margin_deg: list[list[float | None]] | None
+    """The angle to the nearest singular posture, row by row; in space."""
+
+    posture: list[list[str | None]] | None
+    """The configuration that holds each cell, row by row; in space."""
+
+    roll_deg: list[list[float | None]] | None
+    """The roll about the tool axis, row by row; in space."""
+
+    first_frequency_hz: list[list[float | None]] | None
+    """The first natural frequency, row by row, where that was asked."""
+
+
+class ComplianceDict(TypedDict):
+    """What `compliance` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    tcp_m: list[float]
+    """The tool point."""
+
+    compliance_um_per_n: list[list[float]]
+    """From force to translation, base axes."""
+
+    compliance_6x6_si: list[list[float]]
+    """From wrench to translation and rotation, base axes, SI."""
+
+    principal_um_per_n: list[float]
+    """Principal compliances, ascending."""
+
+    worst_direction: list[float]
+    """The unit direction of the last of them."""
+
+    worst_shares: list[float]
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    force_n: list[float] | None
+    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+
+    deflection_mm: list[float] | None
+    """The translation under it."""
+
+    rotation_mrad: list[float] | None
+    """The rotation under it."""
+
+    largest_mm: float | None
+    """What counts of the translation, the largest that the force may cause."""
+
+    deflection_mm_p05: float | None
+    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
+    not known."""
+
+    deflection_mm_p50: float | None
+    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
+    away."""
+
+    deflection_mm_p95: float | None
+    """Their 95th percentile."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str | None
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
 
 
 class SwingMode(TypedDict):
@@ -3497,11 +3223,11 @@ class SwingMode(TypedDict):
     what the mode gives of the compliance."""
 
     drive_shares: list[float]
-    """What each drive gives of the deflection at the worst point along its direction; adds up to 1."""
+    """What each drive stores of the energy; adds up to 1."""
 
 
 class ModesDict(TypedDict):
-    """`stiffarm.Modes.to_dict`."""
+    """What `modes` answers of a posture."""
 
     schema: Schema
 
@@ -3523,7 +3249,7 @@ class ModesDict(TypedDict):
     stiffness_source: str
     """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
-    drive_urad_per_nm: list[float]
+    drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
 
     model: str
@@ -3584,7 +3310,7 @@ class ModeOverZone(TypedDict):
 
 
 class ModesOverZoneDict(TypedDict):
-    """`stiffarm.ModesOverZone.to_dict`."""
+    """What `modes --task` answers of a zone."""
 
     schema: Schema
 
@@ -3606,7 +3332,7 @@ class ModesOverZoneDict(TypedDict):
     stiffness_source: str
     """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
-    drive_urad_per_nm: list[float]
+    drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
 
     model: str
@@ -3627,25 +3353,25 @@ class ModesOverZoneDict(TypedDict):
     z_m: float
     """Up, from the base."""
 
-    bearing_deg: float
+    bearing_deg: float | None
     """Where about the joint-1 axis the zone stands."""
 
-    yaw_deg: float
+    yaw_deg: float | None
     """Of the zone's plane about the vertical."""
 
     angle_deg: float
     """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
 
-    roll_deg: float
+    roll_deg: float | None
     """About the tool axis."""
 
-    shoulder: str
+    shoulder: str | None
     """front or back."""
 
     elbow: str
     """up or down."""
 
-    wrist: str
+    wrist: str | None
     """no flip or flip."""
 
     pendant: str
@@ -3692,7 +3418,7 @@ class Lobe(TypedDict):
     """Speed of the spindle."""
 
     depth_mm: float | None
-    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
+    """The least axial depth that swings at a speed; null where none up to 300 mm does."""
 
     depth_mm_p05: float | None
     """5th percentile over draws of drive stiffness and damping; null beyond 300 mm, and where teeth are counted
@@ -3706,7 +3432,7 @@ class Lobe(TypedDict):
 
 
 class ChatterDict(TypedDict):
-    """`stiffarm.Chatter.to_dict`."""
+    """What `chatter` answers."""
 
     schema: Schema
 
@@ -3728,7 +3454,7 @@ class ChatterDict(TypedDict):
     stiffness_source: str
     """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
-    drive_urad_per_nm: list[float]
+    drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
 
     model: str
@@ -3849,9 +3575,7 @@ class ChatterDict(TypedDict):
     """From where to where the table tells frequency by frequency, Hz; null without one."""
 
     verdict: str
-    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    """What is told of robot modes and of what was measured at the tip, in words."""
 
     assumed: list[str]
     """What the file leaves open and how it was taken, with the line that came first."""
@@ -3860,8 +3584,420 @@ class ChatterDict(TypedDict):
     """By the speed of the spindle: the least depth that swings."""
 
 
-class ComplianceDict(TypedDict):
-    """`stiffarm.Compliance.to_dict`."""
+class StudyRow(TypedDict):
+    """One contender at one size."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    d: float
+    """The size over l2 + l3."""
+
+    mu_l3_over_l2: float | None
+    """The link ratio; null where every contender has its best."""
+
+    best: bool
+    """The link ratio is the best."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    k2: float
+    """Compliance of drive 2 over the reference."""
+
+    k3: float
+    """Compliance of drive 3 over the reference."""
+
+    accuracy: float | None
+    """The worst deflection over k F (l2 + l3)^2; null where the zone does not fit."""
+
+
+class Boundary(TypedDict):
+    """A size at which the better one changes."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    mu_l3_over_l2: float | None
+    """The link ratio; null where every contender has its best."""
+
+    d: float
+    """The size over l2 + l3."""
+
+    better_below: str
+    """The better contender for smaller tasks."""
+
+    better_above: str
+    """The better contender for larger tasks."""
+
+
+class StudyMark(TypedDict):
+    """A robot with its task among what was studied."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    mu_l3_over_l2: float
+    """The link ratio; null where every contender has its best."""
+
+    d: float
+    """The size over l2 + l3."""
+
+    accuracies: list[float | None]
+    """What either contender would have there; null where the task does not fit."""
+
+    stiffer: str | None
+    """The contender that has less."""
+
+
+class StudyDict(TypedDict):
+    """What `study` answers."""
+
+    schema: Schema
+
+    rows: list[StudyRow]
+    """One entry per row."""
+
+    boundaries: list[Boundary]
+    """Sizes at which the better architecture changes."""
+
+    mark: StudyMark | None
+    """Where the robot with its task stands among what was studied."""
+
+
+class ComparisonDict(TypedDict):
+    """What `compare` answers."""
+
+    schema: Schema
+
+    a: Placed
+    """The first setup, as place tells it."""
+
+    b: Placed
+    """The second setup."""
+
+    ratio: float | None
+    """The deflection of the second over that of the first; null where one has no place."""
+
+    told_apart: bool
+    """It is proved that no other is as good, at the nominal stiffness."""
+
+    better: str | None
+    """Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be
+    distinguished."""
+
+    win_probability: list[float | None] | None
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
+
+    differ_in: list[str]
+    """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
+    place."""
+
+    summary: list[str]
+    """What a manager would read."""
+
+
+class IdentifiedDrive(TypedDict):
+    """What is found of a drive."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    compliance_urad_per_nm: float | None
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+    ci95_urad_per_nm: list[float] | None
+    """Where it lies with 95 %."""
+
+    stiffness_nm_per_rad: float | None
+    """One over the compliance found."""
+
+    robust_urad_per_nm: float | None
+    """The compliance by Huber's estimate."""
+
+    identified: bool
+    """The measurements show it, to half of itself or better."""
+
+    why_not: str | None
+    """Why they do not."""
+
+    used_urad_per_nm: float
+    """What the robot file has: found with all that is not identified held, or as it was before."""
+
+
+class FurtherSpring(TypedDict):
+    """What is found of what springs besides the drives."""
+
+    spring: str
+    """Its name."""
+
+    joint_2_deg: list[float] | None
+    """Where joint 2 stood, as reported, deg; null of what is no region of joint 2."""
+
+    compliance_urad_per_nm: float | None
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+    ci95_urad_per_nm: list[float] | None
+    """Where it lies with 95 %."""
+
+    stiffness_nm_per_rad: float | None
+    """One over the compliance found."""
+
+    robust_urad_per_nm: float | None
+    """The compliance by Huber's estimate."""
+
+    identified: bool
+    """The measurements show it, to half of itself or better."""
+
+    why_not: str | None
+    """Why they do not."""
+
+    used_urad_per_nm: float
+    """What the robot file has: found with all that is not identified held, or as it was before."""
+
+
+class FoundCompensator(TypedDict):
+    """What is found of a gravity compensator."""
+
+    spring: str
+    """Its name."""
+
+    unit: str
+    """The unit of its numbers."""
+
+    found: float | None
+    """What is found; null where it is not seen."""
+
+    standard_error: float | None
+    """Its standard error."""
+
+    ci95: list[float] | None
+    """Where it lies with 95 %."""
+
+    identified: bool
+    """The measurements show it, to half of itself or better."""
+
+    why_not: str | None
+    """Why they do not."""
+
+    used: float
+    """What the robot file has."""
+
+
+class UpdatedDrive(TypedDict):
+    """What measurements make of the prior of a drive."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    prior_urad_per_nm: float
+    """Median of the prior."""
+
+    prior_sd_ln: float
+    """Standard deviation of its logarithm."""
+
+    posterior_urad_per_nm: float
+    """Median of the posterior."""
+
+    posterior_sd_ln: float
+    """Standard deviation of its logarithm."""
+
+    ci95_urad_per_nm: list[float]
+    """Where it lies with 95 %."""
+
+    moved_sd: float
+    """How far the measurements moved it, in standard deviations of the prior."""
+
+    learned: float
+    """What part of the variance of the prior the measurements took away."""
+
+    shown: bool
+    """The measurements tell more of it than the prior, and it is known to half of itself."""
+
+
+class TriedModel(TypedDict):
+    """A model that was tried."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    rms_left_out_mm: float | None
+    """The same of each posture by the others; null where a posture alone shows some drive."""
+
+    bic: float | None
+    """Schwarz's criterion; less is better."""
+
+    why_not: str | None
+    """Why they do not."""
+
+
+class ReadingRemainder(TypedDict):
+    """What remains of a row of the measurements."""
+
+    row: int
+    """Its number, from 1."""
+
+    posture: int
+    """Its posture, from 1."""
+
+    measured_mm: list[float]
+    """The displacement along base axes."""
+
+    remains_mm: list[float]
+    """What the compliances found leave of it."""
+
+    left_out_mm: float | None
+    """Length of what those leave that are found without its posture."""
+
+    sigmas: float
+    """What Huber's estimate leaves of it, in standard deviations of a coordinate."""
+
+
+class IdentificationDict(TypedDict):
+    """What `identify` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    date: str | None
+    """When was measured."""
+
+    fit: str
+    """least-squares or huber."""
+
+    postures: int
+    """How many postures."""
+
+    readings: int
+    """How many rows."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    drives: list[IdentifiedDrive]
+    """One entry per drive."""
+
+    springs: list[FurtherSpring]
+    """What springs besides the drives."""
+
+    compensator: list[FoundCompensator]
+    """What is found of a gravity compensator: its spring, and its preload."""
+
+    posterior: list[UpdatedDrive] | None
+    """What the measurements make of the prior, drive by drive; null where that was not asked for."""
+
+    models: list[TriedModel]
+    """The models that were tried."""
+
+    rms_before_mm: float
+    """How far a coordinate moved, root mean square."""
+
+    rms_after_mm: float
+    """What the compliances found leave of that."""
+
+    rms_left_out_mm: float | None
+    """The same of each posture by the others; null where a posture alone shows some drive."""
+
+    rms_used_mm: float
+    """What the compliances of the robot file leave of that."""
+
+    explained: float
+    """1 - rms after / rms before."""
+
+    explained_left_out: float | None
+    """The same of each posture by the others."""
+
+    noise_ratio: float | None
+    """How many times the noise that the table tells the remainders are."""
+
+    condition: float | None
+    """The largest singular value over the smallest; null where some drive is not seen."""
+
+    singular_values: list[float]
+    """Of all rows, mm per urad/(N m), descending."""
+
+    least_seen: list[float]
+    """The combination of drives that is seen worst; its squares add up to 1."""
+
+    correlation: list[list[float]]
+    """Correlation of the compliances found."""
+
+    outliers: list[int]
+    """Rows that do not fit, from 1, the worst first."""
+
+    residuals: list[ReadingRemainder]
+    """What remains of every row."""
+
+    remarks: list[str]
+    """What is odd."""
+
+
+class ExpectedDrive(TypedDict):
+    """How well a drive will be known."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    compliance_urad_per_nm: float
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+
+class MeasurementRun(TypedDict):
+    """A posture and a load."""
+
+    run: int
+    """Its number, from 1."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    load: str
+    """In which direction is loaded."""
+
+    force_n: list[float]
+    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+
+    expected_mm: float
+    """How far the marker is expected to move."""
+
+
+class ComparedTable(TypedDict):
+    """What a table of one's own is worth."""
+
+    file: str
+    """The table."""
+
+    runs: int
+    """How many runs it has."""
+
+    value: float
+    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
+    parts of the compliances."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+
+class MeasurementPlanDict(TypedDict):
+    """What `measure` answers."""
 
     schema: Schema
 
@@ -3883,72 +4019,530 @@ class ComplianceDict(TypedDict):
     stiffness_source: str
     """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
-    drive_urad_per_nm: list[float]
+    drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
-
-    model: str
-    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
-
-    joints_deg: list[float]
-    """Joint angles as the robot reports them, deg."""
 
     pendant: str
     """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
     whoever asks), unknown."""
 
-    tcp_m: list[float]
-    """The tool point."""
+    criterion: str
+    """What a plan is judged by."""
 
-    compliance_um_per_n: list[list[float]]
-    """From force to translation, base axes."""
+    value: float
+    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
+    parts of the compliances."""
 
-    compliance_6x6_si: list[list[float]]
-    """From wrench to translation and rotation, base axes, SI."""
+    lower_bound: float
+    """No plan of so many runs of the candidates has less."""
 
-    principal_um_per_n: list[float]
-    """Principal compliances, ascending."""
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
 
-    worst_direction: list[float]
-    """The unit direction of the last of them."""
+    random_efficiency: float | None
+    """The same of the median random choice; null where that leaves some drive unseen."""
 
-    worst_shares: list[float]
-    """What each drive gives of the worst deflection; adds up to 1."""
+    candidates: int
+    """Among so many was chosen."""
 
-    force_n: list[float] | None
-    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+    drives: list[ExpectedDrive]
+    """One entry per drive."""
 
-    deflection_mm: list[float] | None
-    """The translation under it."""
+    unseen_drives: list[int]
+    """Drives that no candidate shows."""
 
-    rotation_mrad: list[float] | None
-    """The rotation under it."""
+    unseen_share: float
+    """What part of the variance of the prediction is the prior of these drives."""
 
-    largest_mm: float | None
-    """What counts of the translation, the largest that the force may cause."""
+    advised_loads: list[str]
+    """Directions of loads that show them, where some do."""
 
-    deflection_mm_p05: float | None
-    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
-    not known."""
+    runs: list[MeasurementRun]
+    """One entry per run, in the order in which they are made."""
 
-    deflection_mm_p50: float | None
-    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
-    away."""
+    compared: ComparedTable | None
+    """What the table that was given is worth."""
 
-    deflection_mm_p95: float | None
-    """Their 95th percentile."""
 
-    force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
+class PlannedAtWork(TypedDict):
+    """The error that a calibration leaves at the work."""
 
-    force_direction: list[float] | None
-    """Its unit direction along these axes."""
+    expected_mm: float
+    """Root mean square of the error that remains at the work, where it is found by the tracker."""
 
-    force_cone_deg: float | None
-    """By how much it may point aside."""
+    lower_bound_mm: float
+    """No choice of as many of the candidates leaves less."""
 
-    feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    random_mm: float
+    """What the median random choice leaves."""
 
-    component: str | None
-    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+    as_drawn_mm: float
+    """Without a calibration."""
+
+    unexplained_mm: float
+    """The part of all of these that no error of the arm explains, and no calibration takes away."""
+
+    postures: int
+    """Postures over which it is told."""
+
+
+class CalibrationLeaves(TypedDict):
+    """What so many postures leave."""
+
+    postures: int
+    """So many."""
+
+    expected_mm: float
+    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+
+
+class PlannedPosture(TypedDict):
+    """A posture in which points are measured."""
+
+    run: int
+    """Its number, from 1."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+
+class CalibrationPlanDict(TypedDict):
+    """What `measure --geometry` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    at_work: PlannedAtWork
+    """The error that remains at the work: expected, with its interval, and over how many postures; null where
+    the arm does not reach it."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+    random_efficiency: float
+    """The same of the median random choice; null where that leaves some drive unseen."""
+
+    candidates: int
+    """Among so many was chosen."""
+
+    by_count: list[CalibrationLeaves]
+    """What so many postures leave, each chosen after those before."""
+
+    runs: list[PlannedPosture]
+    """One entry per run, in the order in which they are made."""
+
+
+class LevelFit(TypedDict):
+    """What a level leaves."""
+
+    level: str
+    """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
+
+    own_weight: str | None
+    """How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the
+    compliance of each drive (`drives`) as all that is unknown; null of levels without it."""
+
+    rms_mm: float
+    """The root mean square of these distances."""
+
+    median_mm: float
+    """Median of the distances."""
+
+    p95_mm: float
+    """95th percentile of the distances."""
+
+    largest_mm: float
+    """The largest distance between what was read and what the file says."""
+
+    left_out_rms_mm: float | None
+    """Root mean square of the distances that are predicted where a third of a joint's range is left out; null
+    where none can be."""
+
+    shown: float
+    """How many parameters the rows show: the trace of one less posterior over prior."""
+
+    log_evidence: float
+    """Logarithm of the marginal likelihood, up to what all levels share."""
+
+
+class WrongRow(TypedDict):
+    """A point that was left out."""
+
+    line: int
+    """From 1."""
+
+    point: int
+    """Which point of the row, from 1; 0 is all of it."""
+
+    distance_mm: float
+    """How far it is off."""
+
+
+class NarrowJoint(TypedDict):
+    """A joint that moved over less than a third of its range."""
+
+    joint: int
+    """Which joint, from 1."""
+
+    share: float
+    """Over which part of its range it moved."""
+
+
+class CalibratedAtWork(TypedDict):
+    """The error that remains at the work."""
+
+    expected_mm: float
+    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+
+    ci95_mm: list[float]
+    """Where that root mean square lies with 95 %."""
+
+    work_p95_mm: float
+    """95th percentile of the error at the work."""
+
+    postures: int
+    """Postures over which it is told."""
+
+
+class CalibrationDict(TypedDict):
+    """What `calibrate` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    level: str
+    """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
+
+    own_weight: str | None
+    """How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the
+    compliance of each drive (`drives`) as all that is unknown; null of levels without it."""
+
+    rows: int
+    """Postures that were read."""
+
+    nominal_rms_mm: float
+    """Root mean square of the distances of the arm as drawn."""
+
+    levels: list[LevelFit]
+    """Every level: what it leaves."""
+
+    wrong_rows: list[WrongRow]
+    """Points that were left out: line of the file, point (0: all of the row) and distance, mm."""
+
+    tracker_in_base: list[list[float]]
+    """Each stand of the tracker in the base: x, y, z mm and turns about fixed x, y, z deg."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    zero_deg: list[float]
+    """What is to be added to each reported angle."""
+
+    frames_mm_mrad: list[list[float]]
+    """Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros
+    are left out."""
+
+    weight_mrad: list[float] | None
+    """How drives yield under the arm's own weight, null where it is that of masses: of drive 2 on sin t2, cos
+    t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool."""
+
+    weight_ci95_mrad: list[list[float]] | None
+    """Where each lies with 95 %."""
+
+    drives: list[UpdatedDrive] | None
+    """One entry per drive."""
+
+    gears_mrad: list[list[float]]
+    """Once per turn of each joint: sine, cosine."""
+
+    narrow: list[NarrowJoint]
+    """Joints that moved over less than a third of their range, with that share."""
+
+    at_work: CalibratedAtWork | None
+    """The error that remains at the work: expected, with its interval, and over how many postures; null where
+    the arm does not reach it."""
+
+
+class WayOfCounting(TypedDict):
+    """A way of counting the joints."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    third_axis: str
+    """What joint 3 counts from: elbow, the upper arm; forearm, the horizontal."""
+
+    sign: list[float]
+    """Of each joint, as in a robot file."""
+
+    zero_deg: list[float]
+    """Zero offset of each joint, as a robot file has it."""
+
+    carried: list[float]
+    """By how much joints of the wrist carry others along: 4 turns 5, 4 turns 6, 5 turns 6."""
+
+    rms_mm: float
+    """The root mean square of these distances."""
+
+    largest_mm: float
+    """The largest distance between what was read and what the file says."""
+
+    largest_deg: float | None
+    """The largest turn between orientations; null where none was read."""
+
+    differs: str
+    """The same in a line."""
+
+    differences: list[str]
+    """In what it differs from its robot file, in words."""
+
+
+class WrongReading(TypedDict):
+    """The row that does not agree."""
+
+    line: int
+    """From 1."""
+
+    distance_mm: float
+    """How far it is off."""
+
+
+class VerificationDict(TypedDict):
+    """What `robots verify` answers of a robot."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    verified: bool
+    """The readings agree with the robot file, and with no other way of counting the joints."""
+
+    rows: int
+    """Postures that were read."""
+
+    measured: bool
+    """Points were measured by an instrument; else the controller computed them."""
+
+    largest_mm: float
+    """The largest distance between what was read and what the file says."""
+
+    rms_mm: float
+    """The root mean square of these distances."""
+
+    largest_deg: float | None
+    """The largest turn between orientations; null where none was read."""
+
+    base_mm_deg: list[list[float]]
+    """The base of the robot file in the frame of the readings: x, y, z mm and turns about fixed x, y, z deg; one
+    for each stand."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    fits: list[WayOfCounting]
+    """Robots and ways of counting the joints, the best first."""
+
+    alike: list[str]
+    """What the readings do not tell apart, in words."""
+
+    postures_deg: list[list[float]]
+    """Postures that would tell it apart: joint angles."""
+
+    wrong_row: WrongReading | None
+    """The row that is off where all others agree: its line in the file and its distance, mm; null where there is
+    none."""
+
+
+class FittingRobotsDict(TypedDict):
+    """What `robots verify` answers without a robot."""
+
+    schema: Schema
+
+    verified: bool
+    """The readings agree with the robot file, and with no other way of counting the joints."""
+
+    rows: int
+    """Postures that were read."""
+
+    fits: list[WayOfCounting]
+    """Robots and ways of counting the joints, the best first."""
+
+
+class ToolpathDict(TypedDict):
+    """What `mill --dry` answers."""
+
+    schema: Schema
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    format: str
+    """How it is written: gcode, apt, csv or built-in."""
+
+    lines: int | None
+    """Lines that were read."""
+
+    feed_length_m: float
+    """Length of all moves at a feed rate."""
+
+    rapid_length_m: float
+    """Length of all rapid moves whose beginning is known."""
+
+    feed_moves: int
+    """Moves at a feed rate."""
+
+    rapid_moves: int
+    """Rapid moves whose beginning is known."""
+
+    tools: list[int | None]
+    """Numbers of the tools that feed, in the order in which they come; null where none is named."""
+
+    machine_moves: int
+    """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
+
+    arcs: int
+    """Feed moves that are arcs or helices."""
+
+    full_circles: int
+    """Of these, those of a whole turn or more."""
+
+    arc_length_m: float
+    """Length of the arcs."""
+
+    box_m: list[list[float]] | None
+    """Two corners of the box about all feed moves, in the axes of the path."""
+
+    rapid_box_m: list[list[float]] | None
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
+    path; null where there is none."""
+
+    feed_mm_per_min: list[float] | None
+    """The smallest and the largest feed rate; null where none is said."""
+
+    time_s: float | None
+    """Time of all feed moves; null where a feed rate is missing."""
+
+    tilt_deg: float
+    """The largest angle between tool axis and z while it feeds."""
+
+    turn_deg: float
+    """The largest angle of the tool axis to where it first feeds."""
+
+    samples: int
+    """Samples along the path."""
+
+    chord_error_mm: float
+    """By how much chords between samples are off the arcs at most."""
+
+    arc_miss_mm: float
+    """By how much the ends of an arc miss one radius at most."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+    ignored: list[str]
+    """Words of the file that move nothing, each kind once."""
+
+
+class ForceDict(TypedDict):
+    """What `force` answers."""
+
+    schema: Schema
+
+    process: str
+    """The process file."""
+
+    law: str
+    """Where the force comes from."""
+
+    material: str | None
+    """The material whose numbers come with the program; null where they are given."""
+
+    material_status: str | None
+    """How well its numbers are known: published or unverified."""
+
+    material_source: str | None
+    """Who says so."""
+
+    mean_n: list[float] | None
+    """Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the
+    work); null where it may point anywhere."""
+
+    max_n: list[float] | None
+    """The largest of each over a revolution."""
+
+    min_n: list[float] | None
+    """The smallest of each over a revolution."""
+
+    largest_n: float
+    """The largest size of the force over a revolution."""
+
+    moment_nm: float
+    """Mean moment on the tool about its axis, positive about the axis away from the work."""
+
+    power_w: float | None
+    """Mean power of the spindle; null where its speed or the moment is not known."""
+
+    spindle_rpm: float | None
+    """Speed of the spindle."""
+
+    entry_deg: float | None
+    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+
+    exit_deg: float | None
+    """Where a tooth leaves."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+
+class PublishedNumber(TypedDict):
+    """A published number."""
+
+    source: str
+    """Where it is published."""
+
+    item: str
+    """What it is of."""
+
+    cell: str
+    """Which number."""
+
+    printed: str
+    """As it is printed."""
+
+    computed: float | None
+    """As it is computed."""
+
+    agrees: bool
+    """The two agree to the digits that are printed."""
+
+    note: str | None
+    """Why they do not."""
+
+
+class LedgerDict(TypedDict):
+    """What `validate` answers."""
+
+    schema: Schema
+
+    rows: list[PublishedNumber]
+    """One entry per row."""

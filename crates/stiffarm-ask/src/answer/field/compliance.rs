@@ -6,8 +6,8 @@ fields! {
     JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
     PENDANT: "pendant", Kind::Text, "Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by whoever asks), unknown.";
     TCP: "tcp_m", numbers(Unit::Metre, &["tcp_x_m", "tcp_y_m", "tcp_z_m"]), "The tool point.";
-    COMPLIANCE: "compliance_um_per_n", Kind::Numbers { unit: Unit::MicrometrePerNewton, columns: &[], nested: 3 }, "From force to translation, base axes.";
-    COMPLIANCE_6X6: "compliance_6x6_si", Kind::Numbers { unit: Unit::One, columns: &[], nested: 6 }, "From wrench to translation and rotation, base axes, SI.";
+    COMPLIANCE: "compliance_um_per_n", Kind::Numbers { unit: Unit::MicrometrePerNewton, columns: &[], nested: 3, open: false }, "From force to translation, base axes.";
+    COMPLIANCE_6X6: "compliance_6x6_si", Kind::Numbers { unit: Unit::One, columns: &[], nested: 6, open: false }, "From wrench to translation and rotation, base axes, SI.";
     PRINCIPAL: "principal_um_per_n", numbers(Unit::MicrometrePerNewton, &[]), "Principal compliances, ascending.";
     WORST_DIRECTION: "worst_direction", numbers(Unit::One, &[]), "The unit direction of the last of them.";
     FORCE_VECTOR: "force_n", numbers(Unit::Newton, &["fx_n", "fy_n", "fz_n"]), "The force at the tool point, base axes: as given, or of those that it may be the one that does most.";

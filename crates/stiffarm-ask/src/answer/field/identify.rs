@@ -4,7 +4,7 @@ use super::kinds::{Kind, Unit, fields, numbers};
 
 fields! {
     SPRING: "drive", Kind::Count, "Which drive, from 1.";
-    DRIVES: "drives", Kind::Nested, "One entry per drive.";
+    DRIVES: "drives", Kind::Objects, "One entry per drive.";
     ESTIMATE: "compliance_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "The compliance found; null where it is not seen.";
     STANDARD_ERROR: "standard_error_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "The larger of that from the scatter of all remainders and that from leaving out each posture.";
     INTERVAL: "ci95_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["ci95_low_urad_per_nm", "ci95_high_urad_per_nm"]), "Where it lies with 95 %.";
@@ -14,16 +14,16 @@ fields! {
     NOT_IDENTIFIED: "why_not", Kind::Text, "Why they do not.";
     USED: "used_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "What the robot file has: found with all that is not identified held, or as it was before.";
     ESTIMATOR: "fit", Kind::Text, "least-squares or huber.";
-    FURTHER_SPRINGS: "springs", Kind::Nested, "What springs besides the drives.";
+    FURTHER_SPRINGS: "springs", Kind::Objects, "What springs besides the drives.";
     SPRING_NAME: "spring", Kind::Text, "Its name.";
     REGION: "joint_2_deg", numbers(Unit::Degree, &["joint_2_from_deg", "joint_2_to_deg"]), "Where joint 2 stood, as reported, deg; null of what is no region of joint 2.";
-    COMPENSATOR: "compensator", Kind::Nested, "What is found of a gravity compensator: its spring, and its preload.";
+    COMPENSATOR: "compensator", Kind::Objects, "What is found of a gravity compensator: its spring, and its preload.";
     IN_UNIT: "unit", Kind::Text, "The unit of its numbers.";
     FOUND: "found", Kind::Number(Unit::One), "What is found; null where it is not seen.";
     FOUND_ERROR: "standard_error", Kind::Number(Unit::One), "Its standard error.";
     FOUND_INTERVAL: "ci95", numbers(Unit::One, &["ci95_low", "ci95_high"]), "Where it lies with 95 %.";
     FOUND_USED: "used", Kind::Number(Unit::One), "What the robot file has.";
-    POSTERIOR_DRIVES: "posterior", Kind::Nested, "What the measurements make of the prior, drive by drive; null where that was not asked for.";
+    POSTERIOR_DRIVES: "posterior", Kind::Objects, "What the measurements make of the prior, drive by drive; null where that was not asked for.";
     PRIOR: "prior_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "Median of the prior.";
     PRIOR_SD: "prior_sd_ln", Kind::Number(Unit::One), "Standard deviation of its logarithm.";
     POSTERIOR: "posterior_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "Median of the posterior.";
@@ -31,7 +31,7 @@ fields! {
     MOVED_BY_DATA: "moved_sd", Kind::Number(Unit::One), "How far the measurements moved it, in standard deviations of the prior.";
     LEARNED: "learned", Kind::Number(Unit::One), "What part of the variance of the prior the measurements took away.";
     IS_SHOWN: "shown", Kind::Truth, "The measurements tell more of it than the prior, and it is known to half of itself.";
-    MODELS: "models", Kind::Nested, "The models that were tried.";
+    MODELS: "models", Kind::Objects, "The models that were tried.";
     BIC: "bic", Kind::Number(Unit::One), "Schwarz's criterion; less is better.";
     POSTURES: "postures", Kind::Count, "How many postures.";
     READINGS: "readings", Kind::Count, "How many rows.";
@@ -45,9 +45,9 @@ fields! {
     CONDITION: "condition", Kind::Number(Unit::One), "The largest singular value over the smallest; null where some drive is not seen.";
     SINGULAR_VALUES: "singular_values", numbers(Unit::One, &[]), "Of all rows, mm per urad/(N m), descending.";
     LEAST_SEEN: "least_seen", numbers(Unit::One, &[]), "The combination of drives that is seen worst; its squares add up to 1.";
-    CORRELATION: "correlation", Kind::Nested, "Correlation of the compliances found.";
-    OUTLIERS: "outliers", Kind::Nested, "Rows that do not fit, from 1, the worst first.";
-    RESIDUALS: "residuals", Kind::Nested, "What remains of every row.";
+    CORRELATION: "correlation", Kind::List(&Kind::List(&Kind::Number(Unit::One))), "Correlation of the compliances found.";
+    OUTLIERS: "outliers", Kind::List(&Kind::Count), "Rows that do not fit, from 1, the worst first.";
+    RESIDUALS: "residuals", Kind::Objects, "What remains of every row.";
     READING: "row", Kind::Count, "Its number, from 1.";
     OF_POSTURE: "posture", Kind::Count, "Its posture, from 1.";
     MEASURED: "measured_mm", numbers(Unit::Millimetre, &["dx_mm", "dy_mm", "dz_mm"]), "The displacement along base axes.";

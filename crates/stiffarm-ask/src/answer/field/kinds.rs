@@ -1,8 +1,9 @@
 //! What a field is: a key, a unit, a kind.
 
+use serde_json::Value;
 use stiffarm::catalogue::microradians;
 
-/// A unit as answers tell it; inside, everything is SI.
+/// A unit of answers; inside, everything is SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// A number of its own.
@@ -35,6 +36,8 @@ pub enum Unit {
     MillimetrePerMinute,
     /// As it was given, in the unit named.
     Given(&'static str),
+    /// Several together, as the field says.
+    Described,
 }
 
 impl Unit {
@@ -49,7 +52,8 @@ impl Unit {
             | Self::NewtonMetre
             | Self::Second
             | Self::Watt
-            | Self::Given(_) => si + 0.0,
+            | Self::Given(_)
+            | Self::Described => si + 0.0,
             Self::MillimetrePerMinute => si * 60e3 + 0.0,
             Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
             Self::Degree => si.to_degrees() + 0.0,
@@ -78,12 +82,20 @@ pub enum Kind {
         columns: &'static [&'static str],
         /// So many stand together in a list of lists; 0 where there is one list.
         nested: usize,
+        /// Single ones may be null.
+        open: bool,
     },
-    /// What has fields of its own, or is a list; in no table.
-    Nested,
+    /// A list of any length, in the unit of its items; in no table.
+    List(&'static Kind),
+    /// An item of a list that may be null.
+    Maybe(&'static Kind),
+    /// What has fields of its own, by a [`Shape`](super::super::shape::Shape); in no table.
+    Object,
+    /// A list of these.
+    Objects,
 }
 
-/// One thing that can be told.
+/// A key of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Field {
     /// The key in JSON, and the heading of its column; its ending is its unit.
@@ -101,15 +113,49 @@ impl Field {
 
     /// Its unit, where it holds numbers.
     pub const fn unit(&self) -> Option<Unit> {
-        match self.kind {
-            Kind::Number(unit) | Kind::Numbers { unit, .. } => Some(unit),
-            Kind::Text | Kind::Truth | Kind::Count | Kind::Nested => None,
+        self.kind.unit()
+    }
+}
+
+impl Kind {
+    /// Is it what stands in JSON for such a value? Objects are a matter of their shape.
+    pub fn accepts(self, value: &Value) -> bool {
+        match (self, value) {
+            (Self::Text, Value::String(_))
+            | (Self::Truth, Value::Bool(_))
+            | (Self::Number(_), Value::Number(_))
+            | (Self::Maybe(_), Value::Null) => true,
+            (Self::Count, Value::Number(number)) => number.is_u64(),
+            (Self::Maybe(of), value) => of.accepts(value),
+            (Self::List(of), Value::Array(items)) => items.iter().all(|item| of.accepts(item)),
+            (Self::Numbers { nested, open, .. }, Value::Array(items)) => items.iter().all(|item| match item {
+                Value::Array(_) => {
+                    0 < nested && Self::Numbers { unit: Unit::One, columns: &[], nested: 0, open }.accepts(item)
+                }
+                Value::Number(_) => nested == 0,
+                item => nested == 0 && open && item.is_null(),
+            }),
+            _ => false,
+        }
+    }
+
+    /// Its unit, where it holds numbers.
+    pub const fn unit(self) -> Option<Unit> {
+        match self {
+            Self::Number(unit) | Self::Numbers { unit, .. } => Some(unit),
+            Self::List(of) | Self::Maybe(of) => of.unit(),
+            Self::Text | Self::Truth | Self::Count | Self::Object | Self::Objects => None,
         }
     }
 }
 
 pub(super) const fn numbers(unit: Unit, columns: &'static [&'static str]) -> Kind {
-    Kind::Numbers { unit, columns, nested: 0 }
+    Kind::Numbers { unit, columns, nested: 0, open: false }
+}
+
+/// The same where single ones may be null.
+pub(super) const fn open_numbers(unit: Unit, columns: &'static [&'static str]) -> Kind {
+    Kind::Numbers { unit, columns, nested: 0, open: true }
 }
 
 /// The fields of a verb as constants, and `FIELDS`, all of them in this order.

@@ -3,7 +3,7 @@
 use super::kinds::{Kind, Unit, fields};
 
 fields! {
-    RUNS: "runs", Kind::Nested, "One entry per run, in the order in which they are made.";
+    RUNS: "runs", Kind::Objects, "One entry per run, in the order in which they are made.";
     RUN: "run", Kind::Count, "Its number, from 1.";
     OF_LOAD: "load", Kind::Text, "In which direction is loaded.";
     EXPECTED: "expected_mm", Kind::Number(Unit::Millimetre), "How far the marker is expected to move.";
@@ -13,8 +13,10 @@ fields! {
     EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best.";
     RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";
     CANDIDATES: "candidates", Kind::Count, "Among so many was chosen.";
-    UNSEEN: "unseen_drives", Kind::Nested, "Drives that no candidate shows.";
+    UNSEEN: "unseen_drives", Kind::List(&Kind::Count), "Drives that no candidate shows.";
     UNSEEN_SHARE: "unseen_share", Kind::Number(Unit::One), "What part of the variance of the prediction is the prior of these drives.";
-    ADVISED_LOADS: "advised_loads", Kind::Nested, "Directions of loads that show them, where some do.";
-    COMPARED: "compared", Kind::Nested, "What the table that was given is worth.";
+    ADVISED_LOADS: "advised_loads", Kind::List(&Kind::Text), "Directions of loads that show them, where some do.";
+    COMPARED: "compared", Kind::Object, "What the table that was given is worth.";
+    COMPARED_FILE: "file", Kind::Text, "The table.";
+    RUN_COUNT: "runs", Kind::Count, "How many runs it has.";
 }

@@ -3,16 +3,16 @@
 use super::kinds::{Kind, Unit, fields, numbers};
 
 fields! {
-    PART: "part", Kind::Nested, "The path as it was cut: samples, lengths and time.";
+    PART: "part", Kind::Object, "The path as it was cut: samples, lengths and time.";
     SAMPLES_OF_PATH: "samples", Kind::Count, "Samples along the path.";
     PATH_LENGTH: "length_m", Kind::Number(Unit::Metre), "Length of the path, rapid ways and all.";
     CUTTING_LENGTH: "cutting_length_m", Kind::Number(Unit::Metre), "Length of what feeds.";
     TIME: "time_s", Kind::Number(Unit::Second), "Time of what feeds; null where a feed rate is not said.";
-    ROLL_CHOICE: "roll", Kind::Nested, "How the tool is turned about its axis.";
+    ROLL_CHOICE: "roll", Kind::Object, "How the tool is turned about its axis.";
     ROLL_MODE: "mode", Kind::Text, "free, constant, linear or fixed.";
     ROLL_FROM: "from_deg", Kind::Number(Unit::Degree), "The smallest roll: of the tool's x axis from the part's.";
     ROLL_TO: "to_deg", Kind::Number(Unit::Degree), "The largest roll.";
-    PINS: "pins", Kind::Nested, "Where the roll is pinned: samples with their way along the path and their roll.";
+    PINS: "pins", Kind::Objects, "Where the roll is pinned: samples with their way along the path and their roll.";
     PINNED_SAMPLE: "sample", Kind::Count, "Which sample, from 0.";
     PINNED_WAY: "way_mm", Kind::Number(Unit::Millimetre), "How far along the path it stands.";
     PINNED_ROLL: "roll_deg", Kind::Number(Unit::Degree), "Its roll.";
@@ -32,13 +32,13 @@ fields! {
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
     WORST_TOOL: "worst_tool", Kind::Count, "The tool with the largest error, of a path that is milled with several.";
-    BY_TOOL: "by_tool", Kind::Nested, "What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its number and its tip.";
+    BY_TOOL: "by_tool", Kind::Objects, "What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its number and its tip.";
     TOOL_NUMBER: "tool_number", Kind::Count, "The number of the tool in the file of the path.";
     WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
-    FED_BACK: "fed_back", Kind::Nested, "What becomes of the largest error as width and depth of the cut change with the displacement; null where no cut is known.";
+    FED_BACK: "fed_back", Kind::Object, "What becomes of the largest error as width and depth of the cut change with the displacement; null where no cut is known.";
     CONTRACTION: "contraction", Kind::Number(Unit::One), "What of a displacement the cut gives back at most; from 1 on nothing settles.";
     UNSETTLED: "unsettled", Kind::Count, "Samples at which nothing settles: pushed aside, the tool is drawn in.";
-    PATH_CHATTER: "chatter", Kind::Nested, "Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to the cut; null where that was not asked, or the path is not followed.";
+    PATH_CHATTER: "chatter", Kind::Object, "Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to the cut; null where that was not asked, or the path is not followed.";
     PATH_CHATTER_VERDICT: "chatter_verdict", Kind::Text, "What is told of robot modes and of spindle modes along a path, in words, with the sample of which it is.";
     CHATTER_SAMPLE: "at_sample", Kind::Count, "The sample at which the critical depth is least in proportion to the cut, from 0; null where no sample is covered.";
     CHATTER_LINE: "at_line", Kind::Count, "Its line in the file; 0 of a path built in.";
@@ -50,11 +50,11 @@ fields! {
     ROLLED_LINE: "rolled_at_line", Kind::Count, "The line of the file on which that is; null where the path is not followed so.";
     ROLLED_ERROR: "rolled_error_mm", Kind::Number(Unit::Millimetre), "The largest error along the path so rolled.";
     COVERED: "covered_samples", Kind::Count, "Samples of which a critical depth is told.";
-    NOT_COVERED: "not_covered", Kind::Nested, "Samples that feed, and of which nothing is told: why, how many, and the lines on which they are.";
+    NOT_COVERED: "not_covered", Kind::Objects, "Samples that feed, and of which nothing is told: why, how many, and the lines on which they are.";
     UNCOVERED_WHY: "why", Kind::Text, "plunge, turn in place, force of the path (it gives no cut), or air.";
-    UNCOVERED_LINES: "lines", Kind::Nested, "Lines of the file, ascending; none of a path built in.";
+    UNCOVERED_LINES: "lines", Kind::List(&Kind::Count), "Lines of the file, ascending; none of a path built in.";
     MEAN_MISLEADS: "mean_misleads", Kind::Count, "Samples whose teeth cut so shortly, and pass so slowly, that their mean over a revolution misleads; only the worst is counted tooth by tooth.";
-    PATH_COMPENSATION: "compensation", Kind::Nested, "What compensation makes of the path; null where it was not asked for.";
+    PATH_COMPENSATION: "compensation", Kind::Object, "What compensation makes of the path; null where it was not asked for.";
     LARGEST_CORRECTION: "largest_correction_mm", Kind::Number(Unit::Millimetre), "By how much a tip is led aside at most.";
     LEFT_BY_JOINTS: "left_by_joints_mm", Kind::Number(Unit::Millimetre), "The largest error that is left by the model where joints, or whole poses, are commanded.";
     LEFT_BY_TIPS: "left_by_tips_mm", Kind::Number(Unit::Millimetre), "The same where tips alone are, the tool turned as in the path; null where one is not reached.";
@@ -63,13 +63,13 @@ fields! {
     UNCERTAIN: "uncertainty", Kind::Text, "The source of the uncertainty of the drive stiffness.";
     BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
     WORK_FRAME: "work_frame", Kind::Text, "How the place of the work was found: measured or touched; null where nothing is followed.";
-    TRUE_ARM: "true_arm", Kind::Nested, "The largest error of the calibrated arm, geometry and load together; null of an arm that was not calibrated.";
+    TRUE_ARM: "true_arm", Kind::Object, "The largest error of the calibrated arm, geometry and load together; null of an arm that was not calibrated.";
     UNCORRECTED: "uncorrected_mm", Kind::Number(Unit::Millimetre), "Where nothing is corrected.";
     BY_STIFFNESS: "by_stiffness_mm", Kind::Number(Unit::Millimetre), "Where the deflection alone is; null under a force that may point anywhere.";
     BY_GEOMETRY: "by_geometry_mm", Kind::Number(Unit::Millimetre), "Where the geometry alone is.";
     BY_BOTH: "by_both_mm", Kind::Number(Unit::Millimetre), "Where both are, by the model; null under a force that may point anywhere.";
     CALIBRATION_LEFT: "calibration_left_mm", Kind::Number(Unit::Millimetre), "What the calibration leaves where it was not measured, rms.";
-    ARM_ERROR: "arm_error", Kind::Nested, "The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile; null of one that was calibrated.";
-    SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
+    ARM_ERROR: "arm_error", Kind::Object, "The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile; null of one that was calibrated.";
+    SEARCH: "search", Kind::Object, "How finely a place was looked for; null where it was given.";
     SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
 }

@@ -6,7 +6,7 @@ fields! {
     TOOL_COM: "tool_com_mm", numbers(Unit::Millimetre, &["tool_com_x_mm", "tool_com_y_mm", "tool_com_z_mm"]), "Mass centre of the tool in the flange frame.";
     TOOL_INERTIA: "tool_inertia_kg_m2", numbers(Unit::Given("kg_m2"), &["tool_ixx_kg_m2", "tool_ixy_kg_m2", "tool_ixz_kg_m2", "tool_iyy_kg_m2", "tool_iyz_kg_m2", "tool_izz_kg_m2"]),
         "Inertia of the tool about its mass centre, along flange axes.";
-    MODES: "modes", Kind::Nested, "How the arm swings, the lowest frequency first.";
+    MODES: "modes", Kind::Objects, "How the arm swings, the lowest frequency first.";
     MODE: "mode", Kind::Count, "Which mode, from 1.";
     FREQUENCY: "frequency_hz", Kind::Number(Unit::Given("hz")), "With the motors held still.";
     FREQUENCY_P05: "frequency_hz_p05", Kind::Number(Unit::Given("hz")), "5th percentile over draws of the drive stiffness; null where its uncertainty is not known.";
@@ -25,5 +25,5 @@ fields! {
     TIP_SHAPE: "tip_shape", numbers(Unit::One, &["tip_x", "tip_y", "tip_z"]), "How the tool point moves, base axes, in m per root of kg m2 of modal mass: its square over (2 pi f)^2 is what the mode gives of the compliance.";
     ENERGY_SHARES: "drive_shares", numbers(Unit::One, &["share_1", "share_2", "share_3", "share_4", "share_5", "share_6"]), "What each drive stores of the energy; adds up to 1.";
     DAMPING_SOURCE: "damping_source", Kind::Text, "Where the damping is from: assumed, given or robot file.";
-    MASSES_LEFT_OUT: "masses_left_out", Kind::Nested, "Moving parts whose masses the robot file does not have.";
+    MASSES_LEFT_OUT: "masses_left_out", Kind::List(&Kind::Text), "Moving parts whose masses the robot file does not have.";
 }

@@ -1,6 +1,6 @@
 //! What can be told of a place, what it rests on, and what is advised where a tolerance is missed.
 
-use super::kinds::{Kind, Unit, fields, numbers};
+use super::kinds::{Kind, Unit, fields, numbers, open_numbers};
 
 fields! {
     ROBOT: "robot", Kind::Text, "The maker's name for the robot.";
@@ -9,7 +9,7 @@ fields! {
     ARCHITECTURE_ASSUMED: "architecture_assumed", Kind::Truth, "Nothing says that it is of this architecture.";
     STATUS: "status", Kind::Text, "How well the robot's numbers are known.";
     STIFFNESS_SOURCE: "stiffness_source", Kind::Text, "Who says how stiff the drives are: assumed, prior, published, robot file, identified or given.";
-    DRIVE_COMPLIANCE: "drive_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["k1_urad_per_nm", "k2_urad_per_nm", "k3_urad_per_nm", "k4_urad_per_nm", "k5_urad_per_nm", "k6_urad_per_nm"]),
+    DRIVE_COMPLIANCE: "drive_urad_per_nm", open_numbers(Unit::MicroradianPerNewtonMetre, &["k1_urad_per_nm", "k2_urad_per_nm", "k3_urad_per_nm", "k4_urad_per_nm", "k5_urad_per_nm", "k6_urad_per_nm"]),
         "The compliance of each drive; null where a robot of two links has none.";
     TASK: "task", Kind::Text, "The zone as it was asked for.";
     MODEL: "model", Kind::Text, "planar or spatial; of an identification what springs: drives, base, tool or base-and-tool.";
@@ -22,7 +22,7 @@ fields! {
     TOOL: "tool_mm", numbers(Unit::Given("mm"), &["tool_x_mm", "tool_y_mm", "tool_z_mm", "tool_rx_deg", "tool_ry_deg", "tool_rz_deg"]),
         "The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg.";
     TOOL_DIRECTION: "tool_direction_deg", Kind::Number(Unit::Given("deg")), "The tool axis above the horizontal.";
-    WITHIN: "within_m", Kind::Numbers { unit: Unit::Metre, columns: &["within_x0_m", "within_x1_m", "within_z0_m", "within_z1_m"], nested: 2 },
+    WITHIN: "within_m", Kind::Numbers { unit: Unit::Metre, columns: &["within_x0_m", "within_x1_m", "within_z0_m", "within_z1_m"], nested: 2, open: true },
         "Where the zone may stand; null where it is open.";
     ASKED_LIMIT_MARGIN: "asked_limit_margin_deg", Kind::Number(Unit::Degree), "What every joint was to keep from its limits.";
     ASKED_SINGULAR_MARGIN: "asked_singular_margin_deg", Kind::Number(Unit::Degree), "What wrist and arm were to keep from straight.";
@@ -37,9 +37,9 @@ fields! {
     DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is not known.";
     DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes away.";
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Their 95th percentile.";
-    WIN_PROBABILITY: "win_probability", Kind::Nested, "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, or the uncertainty of its drives is not known.";
-    EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
-    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
+    WIN_PROBABILITY: "win_probability", Kind::List(&Kind::Maybe(&Kind::Number(Unit::One))), "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, or the uncertainty of its drives is not known.";
+    EXPECTED_REGRET: "expected_regret_mm", Kind::List(&Kind::Maybe(&Kind::Number(Unit::Millimetre))), "How much more than the best it has on average, of each task.";
+    TIES_WITH_BEST: "ties_with_best", Kind::List(&Kind::Maybe(&Kind::Truth)), "It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
@@ -64,10 +64,10 @@ fields! {
     SMALLEST_MARGIN_OF: "smallest_margin_of", Kind::Text, "What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture.";
     CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
-    CLEARANCE_BY: "clearance_by", Kind::Nested, "By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`.";
+    CLEARANCE_BY: "clearance_by", Kind::List(&Kind::Text), "By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`.";
     ASKED_CLEARANCE: "asked_clearance_mm", Kind::Number(Unit::Millimetre), "What the arm was to keep from everything; null where nobody looked.";
-    CONTACTS: "contacts", Kind::Nested, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
-    UNAVOIDABLE: "unavoidable", Kind::Nested, "Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every configuration, as the one that is farthest from it has it. Null where nothing of that kind is known.";
+    CONTACTS: "contacts", Kind::Objects, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
+    UNAVOIDABLE: "unavoidable", Kind::Object, "Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every configuration, as the one that is farthest from it has it. Null where nothing of that kind is known.";
     CONTACT_WAY: "s_m", Kind::Number(Unit::Metre), "How far along the path it is nearest.";
     BODIES: "bodies", Kind::Text, "Which link to what.";
     CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";
@@ -75,12 +75,12 @@ fields! {
     CLEARANCE_OUTSIDE: "clearance_outside_mm", Kind::Number(Unit::Millimetre), "By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where none is estimated.";
     CLEARANCE_WIDE: "clearance_wide_mm", Kind::Number(Unit::Millimetre), "The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm; negative where they overlap, so that the arm may touch; null where its bodies are known.";
     CLEARANCE_WIDE_OF: "clearance_wide_of", Kind::Text, "Which of those to what.";
-    ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base stands in or on, so that it is taken as what carries it; null where there is none.";
+    ROBOT_CELL: "cell", Kind::Object, "The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base stands in or on, so that it is taken as what carries it; null where there is none.";
     CELL_CENTRE: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "The centre of the zone in the axes of the cell, its floor at 0.";
-    FACES: "faces", Kind::Nested, "Every face of a part; null of one flat zone.";
+    FACES: "faces", Kind::Objects, "Every face of a part; null of one flat zone.";
     FACE: "face", Kind::Text, "Which face of a part.";
     FACE_CENTRE: "centre_m", numbers(Unit::Metre, &["centre_x_m", "centre_y_m", "centre_z_m"]), "Its centre.";
-    RESOLUTION: "resolution", Kind::Nested, "How finely a place was looked for.";
+    RESOLUTION: "resolution", Kind::Object, "How finely a place was looked for.";
     COARSE_STEP: "coarse_step_m", Kind::Number(Unit::Metre), "Distance between the places of the coarse search.";
     COARSE: "coarse_mm", Kind::Number(Unit::Millimetre), "The best value of the coarse search.";
     FINE_STEP: "fine_step_m", Kind::Number(Unit::Metre), "The last step of the refinement.";
@@ -94,23 +94,23 @@ fields! {
     VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
     PROBABILITY: "probability", Kind::Number(Unit::One), "Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an identified model; null where neither uncertainty is known.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
-    ADVICE: "advice", Kind::Nested, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";
+    ADVICE: "advice", Kind::Object, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";
     FORCE_FACTOR: "force_factor", Kind::Number(Unit::One), "So many times the force keeps the tolerance at this place, exactly; null where nothing gives way.";
     FORCE_FACTOR_BOUND: "force_factor_bound", Kind::Number(Unit::One), "No place keeps it under more.";
     LARGEST_FORCE: "largest_force_n", Kind::Number(Unit::Newton), "The same as a force.";
     STIFFNESS_FACTOR: "stiffness_factor", Kind::Number(Unit::One), "So many times as stiff must all drives be.";
-    STIFFNESS_NEEDED: "stiffness_needed_nm_per_rad", Kind::Numbers { unit: Unit::Given("nm_per_rad"), columns: &[], nested: 0 },
+    STIFFNESS_NEEDED: "stiffness_needed_nm_per_rad", open_numbers(Unit::Given("nm_per_rad"), &[]),
         "The stiffness of each drive that this asks for; null of rigid ones, and of drive 2 beside a gravity compensator.";
-    DRIVE_SHARES: "drive_shares", numbers(Unit::One, &[]), "What each drive gives of the deflection at the worst point along its direction; adds up to 1.";
+    DRIVE_SHARES: "drive_shares", open_numbers(Unit::One, &[]), "What each drive gives of the deflection at the worst point along its direction; adds up to 1.";
     SOFTEST_DRIVE: "softest_drive", Kind::Count, "The drive that gives most there.";
     SOFTEST_SHARE: "softest_drive_share", Kind::Number(Unit::One), "Its share.";
     COMPENSATION: "compensation_assumed", Kind::Number(Unit::One), "The part of the deflection that a compensation of the program is taken to take out: an assumption.";
     COMPENSATED: "compensated_mm", Kind::Number(Unit::Millimetre), "What it would leave of the deflection.";
     COMPENSATED_PASS: "compensated_pass", Kind::Truth, "That keeps the tolerance.";
-    LARGEST_ZONE: "largest_zone", Kind::Nested, "The largest zone of the shape that passes; null where the one that was asked for does.";
+    LARGEST_ZONE: "largest_zone", Kind::Object, "The largest zone of the shape that passes; null where the one that was asked for does.";
     SCALE: "scale", Kind::Number(Unit::One), "Its size as a part of the size that was asked for; null where not even the smallest that was tried passes.";
     SIZE_IN_WORDS: "size", Kind::Text, "The same in mm.";
-    SIDES: "sides_m", Kind::Nested, "Its sides; null of a part.";
+    SIDES: "sides_m", Kind::List(&Kind::Number(Unit::Metre)), "Its sides; null of a part.";
     FAILS_AT: "fails_at_scale", Kind::Number(Unit::One), "The smallest part of that size that was tried and does not pass.";
     FAILS_PROVED: "fails_proved", Kind::Truth, "That no place of that passes is proved.";
     TRIED: "tried", Kind::Count, "How many zones were placed for it.";

@@ -9,10 +9,10 @@ fields! {
     K2: "k2", Kind::Number(Unit::One), "Compliance of drive 2 over the reference.";
     K3: "k3", Kind::Number(Unit::One), "Compliance of drive 3 over the reference.";
     ACCURACY: "accuracy", Kind::Number(Unit::One), "The worst deflection over k F (l2 + l3)^2; null where the zone does not fit.";
-    MARK: "mark", Kind::Nested, "Where the robot with its task stands among what was studied.";
-    ACCURACIES: "accuracies", Kind::Nested, "What either contender would have there; null where the task does not fit.";
+    MARK: "mark", Kind::Object, "Where the robot with its task stands among what was studied.";
+    ACCURACIES: "accuracies", Kind::List(&Kind::Maybe(&Kind::Number(Unit::One))), "What either contender would have there; null where the task does not fit.";
     STIFFER: "stiffer", Kind::Text, "The contender that has less.";
-    BOUNDARIES: "boundaries", Kind::Nested, "Sizes at which the better architecture changes.";
+    BOUNDARIES: "boundaries", Kind::Objects, "Sizes at which the better architecture changes.";
     BETTER_BELOW: "better_below", Kind::Text, "The better contender for smaller tasks.";
     BETTER_ABOVE: "better_above", Kind::Text, "The better contender for larger tasks.";
 }

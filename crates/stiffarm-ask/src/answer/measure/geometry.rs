@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::super::Unit;
 use super::super::numbers::digits;
 use super::super::words::{self, fixed};
-use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, line, with_schema};
+use super::super::{Cell, Column, ColumnKind, Datum, Line, Record, Rows, Table, field, line, shape, with_schema};
 use super::{DrawnPosture, in_degrees, looked_at, sight};
 use stiffarm::calibrate::{GEARS_PRIOR, WEIGHT_PRIOR};
 use stiffarm::limits::Pendant;
@@ -41,16 +41,16 @@ impl GeometryAnswer {
     pub fn record(&self) -> Record {
         let plan = &self.plan;
         let by_count = plan.by_count.iter().map(|(count, left)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::CALIBRATION_LEAVES);
             record.put(field::POSTURE_COUNT, *count).put(field::EXPECTED_AT_WORK, *left);
-            record.json()
+            record
         });
         let run = |(i, q): (usize, &[f64; 6])| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::PLANNED_POSTURE);
             record.put(field::RUN, i + 1).put(field::JOINTS, in_degrees(q));
-            record.json()
+            record
         };
-        let mut at_work = Record::new();
+        let mut at_work = Record::of(&shape::PLANNED_AT_WORK);
         at_work
             .put(field::EXPECTED_AT_WORK, plan.expected)
             .put(field::LEAST_AT_WORK, plan.lower_bound)
@@ -58,19 +58,19 @@ impl GeometryAnswer {
             .put(field::AS_DRAWN, plan.as_drawn)
             .put(field::UNEXPLAINED, plan.unexplained)
             .put(field::WORK_POSTURES, plan.work);
-        let markers = self.options.markers.iter().map(|at| json!((at * 1e3).as_slice())).collect::<Value>();
-        let mut record = Record::new();
+        let markers = self.options.markers.iter().map(|at| json!(at.as_slice())).collect::<Value>();
+        let mut record = Record::of(&shape::CALIBRATION_PLAN);
         record
             .put(field::ROBOT, &self.robot.name)
             .put(field::VENDOR, &self.robot.vendor)
             .put(field::PENDANT, self.robot.pendant().map(Pendant::name))
             .put(field::POINTS_SEEN, markers)
-            .put(field::AT_WORK, at_work.json())
+            .put(field::AT_WORK, at_work)
             .put(field::EFFICIENCY, plan.efficiency())
             .put(field::RANDOM_EFFICIENCY, plan.random_efficiency())
             .put(field::CANDIDATES, plan.candidates)
-            .put(field::BY_COUNT, by_count.collect::<Value>())
-            .put(field::RUNS, plan.postures.iter().enumerate().map(run).collect::<Value>());
+            .put(field::BY_COUNT, by_count.collect::<Datum>())
+            .put(field::RUNS, plan.postures.iter().enumerate().map(run).collect::<Datum>());
         record
     }
 

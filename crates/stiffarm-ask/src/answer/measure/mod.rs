@@ -7,7 +7,9 @@ use serde_json::{Value, json};
 
 use super::numbers::digits;
 use super::words::{self, fixed};
-use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
+use super::{
+    Cell, Column, ColumnKind, Datum, Line, Record, Rows, Table, Unit, field, line, shape, stiffness, with_schema,
+};
 use stiffarm::limits::Pendant;
 use stiffarm::measure::{Cone, Criterion, Instrument, Options, Plan, Run};
 use stiffarm::robot::{Arm, Robot};
@@ -141,10 +143,16 @@ impl MeasureAnswer {
         let Self { plan, compared, .. } = self;
         let (criterion, squared) = judged(self.options.criterion);
         let compared = compared.as_ref().map(|(name, runs, value, efficiency)| {
-            json!({ "file": name, "runs": runs, "value": value * squared, "efficiency": efficiency })
+            let mut record = Record::of(&shape::COMPARED_TABLE);
+            record
+                .put(field::COMPARED_FILE, name)
+                .put(field::RUN_COUNT, *runs)
+                .put(field::CRITERION_VALUE, value * squared)
+                .put(field::EFFICIENCY, *efficiency);
+            record
         });
-        let runs: Value = (0..plan.runs.len()).map(|i| self.run(i).json()).collect();
-        let mut record = Record::new();
+        let runs: Datum = (0..plan.runs.len()).map(|i| self.run(i)).collect();
+        let mut record = Record::of(&shape::MEASUREMENT_PLAN);
         stiffness::put_robot(&mut record, &self.robot);
         record
             .put(field::PENDANT, self.robot.pendant().map(Pendant::name))
@@ -175,19 +183,19 @@ impl MeasureAnswer {
     }
 
     /// What is expected of each drive.
-    fn drives(&self) -> Value {
+    fn drives(&self) -> Datum {
         let k = self.robot.drive_compliance();
         let of = |(drive, error): (usize, &Option<f64>)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::EXPECTED_DRIVE);
             record.put(field::SPRING, drive + 1).put(field::ESTIMATE, k[drive]).put(field::STANDARD_ERROR, *error);
-            record.json()
+            record
         };
         self.plan.errors.iter().enumerate().map(of).collect()
     }
 
     fn run(&self, i: usize) -> Record {
         let run = &self.plan.runs[i];
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::MEASUREMENT_RUN);
         record
             .put(field::RUN, i + 1)
             .put(field::JOINTS, joints(run))

@@ -9,7 +9,7 @@ use stiffarm::program::Controller;
 use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
 
-use super::super::{Line, Record, field, fixed, line};
+use super::super::{Line, Record, field, fixed, line, shape};
 use super::{MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request, opt};
 
@@ -82,7 +82,7 @@ impl MillAnswer {
     pub(super) fn put_arm(&self, record: &mut Record) {
         let calibrated = self.on_true_arm().map(|found| {
             let ArmErrors { uncorrected, by_stiffness, by_geometry, by_both } = found.errors;
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::TRUE_ARM);
             record
                 .put(field::UNCORRECTED, uncorrected)
                 .put(field::BY_STIFFNESS, by_stiffness)
@@ -93,7 +93,7 @@ impl MillAnswer {
             record
         });
         let drawn = self.drawn_error().map(|found| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::ARM_ERROR);
             record.put(field::MEDIAN_OFF, found.median).put(field::P95_OFF, found.p95);
             record
         });

@@ -4,7 +4,9 @@ use serde_json::{Value, json};
 
 use super::super::uncertainty::Known;
 use super::super::verdict::{self, Verdict};
-use super::super::{Cell, Column, ColumnKind, Lead, Record, Rows, Table, field, fixed, stiffness, with_schema};
+use super::super::{
+    Cell, Column, ColumnKind, Datum, Lead, Record, Rows, Table, field, fixed, shape, stiffness, with_schema,
+};
 use super::asked::Tooled;
 use super::programs::program_of;
 use super::table::NOT_FOLLOWED;
@@ -129,7 +131,7 @@ impl ByToolAnswer {
             let milled = &section.milled;
             Some(milled.stations[milled.followed()?.worst.1].sample.line)
         });
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::MILLED_BY_TOOL);
         record
             .put(field::ROBOT, &self.robot.name)
             .put(field::STIFFNESS_SOURCE, stiffness(&self.robot))
@@ -141,7 +143,7 @@ impl ByToolAnswer {
             .put(field::WORST_LINE, line);
         verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
         record
-            .put(field::BY_TOOL, self.sections.iter().map(Section::json).collect::<Value>())
+            .put(field::BY_TOOL, self.sections.iter().map(Section::record).collect::<Datum>())
             .put(field::REMARKS, json!(self.remarks));
         record
     }
@@ -225,13 +227,13 @@ impl ByToolAnswer {
 }
 
 impl Section {
-    fn json(&self) -> Value {
-        let mut record = Record::new();
+    fn record(&self) -> Record {
+        let mut record = Record::of(&shape::MILLED_WITH_TOOL);
         record
             .put(field::TOOL_NUMBER, self.tool as usize)
             .put(field::TOOL, super::super::words::tool_mm(&self.milled.flange_from_tool));
         record.extend(self.milled.record());
-        record.json()
+        record
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use serde_json::{Value, json};
+use serde_json::json;
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::chatter::{Chatter, Edge, LONGEST, Verdict};
 use stiffarm::mill::{
@@ -15,7 +15,7 @@ use stiffarm::watch::Watch;
 
 use super::super::chatter::ChatterAnswer;
 use super::super::tip::{TipFile, besides};
-use super::super::{Cell, Column, ColumnKind, Line, Record, Table, field, fixed, line};
+use super::super::{Cell, Column, ColumnKind, Datum, Line, Record, Table, field, fixed, line, shape};
 use super::{MillAnswer, MillAnswerError};
 use crate::request::{Request, tool_name};
 
@@ -161,19 +161,19 @@ impl MillAnswer {
     pub(super) fn chatter_record(&self) -> Option<Record> {
         let told = self.chatter.as_ref()?;
         let uncovered = |(why, count, lines): (Uncovered, usize, BTreeSet<usize>)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::UNCOVERED_SAMPLES);
             record
                 .put(field::UNCOVERED_WHY, why.name())
                 .put(field::SAMPLES_OF_PATH, count)
                 .put(field::UNCOVERED_LINES, json!(lines));
-            record.json()
+            record
         };
         let (worst, found) = told.worst.as_ref().map(|(worst, found)| (*worst, found.as_ref())).unzip();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::PATH_CHATTER);
         record
             .put(field::PATH_CHATTER_VERDICT, self.chatter_verdict())
             .put(field::COVERED, told.covered())
-            .put(field::NOT_COVERED, self.uncovered().into_iter().map(uncovered).collect::<Value>())
+            .put(field::NOT_COVERED, self.uncovered().into_iter().map(uncovered).collect::<Datum>())
             .put(field::MEAN_MISLEADS, told.misled())
             .put(field::CHATTER_SAMPLE, worst)
             .put(field::CHATTER_LINE, worst.map(|worst| self.stations[worst].sample.line))

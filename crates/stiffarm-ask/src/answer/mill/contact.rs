@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::super::words::{bodies, clearance_between, is_of_arm, links_are};
-use super::super::{Line, Record, field, fixed, line};
+use super::super::{Datum, Line, Record, field, fixed, line, shape};
 use super::MillAnswer;
 use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
 use stiffarm::mill::{ClearOf, Contact, PathClearance};
@@ -122,19 +122,19 @@ impl MillAnswer {
             .put(field::CLEARANCE_WIDE, wide.map(|wide| wide.distance))
             .put(field::CLEARANCE_WIDE_OF, wide.map(|wide| bodies(wide.link, wide.to)))
             .put(field::ASKED_CLEARANCE, answer.and_then(|answer| Some(answer.options.clear_of.as_ref()?.clearance)))
-            .put(field::CONTACTS, found.map(|found| found.contacts.iter().filter_map(contact).collect::<Value>()))
+            .put(field::CONTACTS, found.map(|found| found.contacts.iter().filter_map(contact).collect::<Datum>()))
             .put(field::UNAVOIDABLE, found.and_then(|found| found.unavoidable.as_ref()).and_then(contact));
     }
 
-    fn contact(&self, contact: &Contact) -> Value {
+    fn contact(&self, contact: &Contact) -> Record {
         let sample = &self.stations[contact.station].sample;
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::PATH_CONTACT);
         record
             .put(field::LINE, sample.line)
             .put(field::CONTACT_WAY, sample.way)
             .put(field::BODIES, bodies(contact.link, contact.to))
             .put(field::CONTACT_DEPTH, contact.depth);
-        record.json()
+        record
     }
 
     /// For people; loud where something is touched.

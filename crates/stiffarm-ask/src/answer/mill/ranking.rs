@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::verdict::{self, Verdict};
 use super::super::words::{self, degrees};
-use super::super::{Record, Rows, Table, field, fixed, stiffness, stiffnesses, uncertainty, with_schema};
+use super::super::{Datum, Record, Rows, Table, field, fixed, shape, stiffness, stiffnesses, uncertainty, with_schema};
 use super::{Beside, MillAnswer, MillAnswerError, least};
 use crate::request::Request;
 use stiffarm::compliance::PostureError;
@@ -78,13 +78,13 @@ impl PathRankAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let first = self.milled().next();
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::PATH_RANKING);
         record
             .put(field::PATH, &self.path)
             .put(field::CUTTING_FORCE, first.map(|milled| &milled.force))
             .put(field::PART, first.map(MillAnswer::part))
             .put(field::ERROR_PART, first.map(|milled| milled.options.part.name()))
-            .put(field::ROWS, self.rows.iter().map(|row| row.record(self.tolerance_mm).json()).collect::<Value>())
+            .put(field::ROWS, self.rows.iter().map(|row| row.record(self.tolerance_mm)).collect::<Datum>())
             .put(field::SUMMARY, json!(self.sentences()))
             .put(field::REMARKS, json!(self.remarks));
         record
@@ -97,7 +97,7 @@ impl PathRankAnswer {
 
     /// One row per robot.
     pub fn rows(&self) -> Rows<'static> {
-        Rows::of(&self.rows.iter().map(|row| row.record(self.tolerance_mm)).collect::<Vec<_>>())
+        Rows::of(&shape::PATH_RANKING_ROW, self.rows.iter().map(|row| row.record(self.tolerance_mm)))
     }
 
     pub(in crate::answer) fn milled(&self) -> impl Iterator<Item = &MillAnswer> {
@@ -300,7 +300,7 @@ impl PathRow {
         let placement = answer.and_then(|answer| answer.placement);
         let in_cell = placement.filter(|_| answer.is_some_and(|answer| answer.ground.cell.is_some()));
         let spread = answer.and_then(MillAnswer::spread);
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::PATH_RANKING_ROW);
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::RANK, standing.rank.map(|rank| rank.place))

@@ -1,13 +1,13 @@
 //! Every field of a path that is milled, and every sample as a row.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::super::cell as told_cell;
 use super::super::path::corners;
 use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
 use super::super::words::bodies;
-use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
+use super::super::{Cell, Column, ColumnKind, Datum, Record, Rows, field, shape};
 use super::{Compensation, MillAnswer, PathChatterAnswer, least};
 use stiffarm::clearance::Near;
 use stiffarm::limits::Pendant;
@@ -20,7 +20,7 @@ impl MillAnswer {
         let (robot, options) = (&self.robot, &self.options);
         let found = self.followed();
         let worst = found.map(|found| (&self.stations[found.worst.1], &found.samples[found.worst.1]));
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::MILLED);
         record
             .put(field::ROBOT, &robot.name)
             .put(field::STIFFNESS_SOURCE, stiffness(robot))
@@ -87,7 +87,7 @@ impl MillAnswer {
         let cutting = self.stations.windows(2).filter(|pair| pair[1].sample.is_cutting && pair[0].sample.is_cutting);
         let way = |station: Option<&Station>| station.map_or(0.0, |station| station.sample.way);
         let feeding = self.stations.iter().filter(|station| station.sample.is_cutting && !station.is_fresh);
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::PATH_LENGTH);
         record
             .put(field::SAMPLES_OF_PATH, self.stations.len())
             .put(field::PATH_LENGTH, way(self.stations.last()) - way(self.stations.first()))
@@ -113,12 +113,12 @@ impl MillAnswer {
                 .count()
         });
         let first = self.followed().map(|found| found.samples[0].arrangement.configuration);
-        let mut record = Record::new();
+        let mut record = Record::of(&shape::ROLL_CHOICE);
         record
             .put(field::ROLL_MODE, self.options.roll.name())
             .put(field::ROLL_FROM, rolls.map(|rolls| rolls[0]))
             .put(field::ROLL_TO, rolls.map(|rolls| rolls[1]))
-            .put(field::PINS, self.pins().map(pinned).collect::<Value>())
+            .put(field::PINS, self.pins().map(pinned).collect::<Datum>())
             .put(field::POSTURE, first.map(|configuration| configuration.to_string()))
             .put(field::REARRANGED, changes);
         record
@@ -132,7 +132,7 @@ impl MillAnswer {
     /// How finely the place was looked for; absent where it was given.
     pub(super) fn search(&self) -> Option<Record> {
         self.search.map(|(resolution, _)| {
-            let mut record = Record::new();
+            let mut record = Record::of(&shape::PLACE_SEARCH);
             record
                 .put(field::FINE_STEP, resolution.step)
                 .put(field::SAMPLES_OF_SEARCH, resolution.samples)
@@ -249,7 +249,7 @@ fn clearance_cells(near: Option<Near>) -> [Cell; 2] {
 
 /// What becomes of the path as the cut changes with the displacement.
 fn fed_back(found: &FedBack) -> Record {
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::FED_BACK);
     record
         .put(field::PATH_WORST, Some(found.worst).filter(|_| found.unsettled == 0))
         .put(field::CONTRACTION, found.contraction)
@@ -260,7 +260,7 @@ fn fed_back(found: &FedBack) -> Record {
 /// What is commanded, and what is left.
 fn compensated(Compensation { done, remaining }: &Compensation, verdict: Option<Verdict>) -> Record {
     let told = remaining.as_ref().map(|(remaining, _)| remaining);
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::COMPENSATED_PATH);
     record
         .put(field::LARGEST_CORRECTION, done.largest)
         .put(field::LEFT_BY_JOINTS, done.by_joints)
@@ -275,8 +275,8 @@ fn compensated(Compensation { done, remaining }: &Compensation, verdict: Option<
 }
 
 /// A pinned roll as an object.
-fn pinned((sample, station, roll): (usize, &Station, f64)) -> Value {
-    let mut record = Record::new();
+fn pinned((sample, station, roll): (usize, &Station, f64)) -> Record {
+    let mut record = Record::of(&shape::PINNED_ROLL);
     record.put(field::PINNED_SAMPLE, sample).put(field::PINNED_WAY, station.sample.way).put(field::PINNED_ROLL, roll);
-    record.json()
+    record
 }

@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::uncertainty::Known;
 use super::verdict::Verdict;
 use super::words::fixed;
-use super::{Rows, margins, payload, with_schema, words};
-pub(super) use record::{cell, clearance, put_advice};
+use super::{Rows, margins, payload, shape, with_schema, words};
+pub(super) use record::{clearance, put_advice, put_placement};
 use stiffarm::advice::Advice;
 use stiffarm::cell::Window;
 use stiffarm::clearance::Clearance;
@@ -46,8 +46,7 @@ impl PlaceAnswer {
 
     /// One row for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        let record = self.record();
-        Rows::new(record.columns(), vec![record.cells()])
+        Rows::of(&shape::PLACEMENT, [self.record()])
     }
 
     /// Where the deflection at the best place lies, and how likely it keeps the tolerance; `None` where the drive stiffness has no stated uncertainty.

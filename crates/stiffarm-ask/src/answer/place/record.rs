@@ -4,7 +4,9 @@ use super::super::cell as told_cell;
 use super::super::uncertainty::Known;
 use super::super::verdict::Verdict;
 use super::super::words::tool_mm;
-use super::super::{Datum, Record, advice, field, force, margins, payload, stiffness, uncertainty, verdict, words};
+use super::super::{
+    Datum, Record, advice, field, force, margins, payload, shape, stiffness, uncertainty, verdict, words,
+};
 use super::PlaceAnswer;
 use stiffarm::advice::Advice;
 use stiffarm::cell::Cell;
@@ -20,7 +22,8 @@ impl PlaceAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { robot, model, task, options, placed, tolerance_mm, advice } = self;
-        let mut record = cell(robot, task, (model, options), Ok(placed), (*tolerance_mm, self.known()));
+        let mut record = Record::of(&shape::PLACEMENT);
+        put_placement(&mut record, robot, task, (model, options), Ok(placed), (*tolerance_mm, self.known()));
         put_advice(&mut record, advice.as_ref(), (task, options.load));
         record
     }
@@ -29,7 +32,7 @@ impl PlaceAnswer {
 /// One face of a part.
 fn face_record(found: &FacePlacement) -> Record {
     let FacePlacement { face, centre, deflection, lower_bound, worst_point, hold } = found;
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::FACE);
     record
         .put(field::FACE, &face.name)
         .put(field::FACE_CENTRE, *centre)
@@ -51,33 +54,32 @@ fn face_record(found: &FacePlacement) -> Record {
 }
 
 /// One zone of one robot: the same fields whatever the model and whatever was found.
-pub(in crate::answer) fn cell(
+pub(in crate::answer) fn put_placement(
+    record: &mut Record,
     robot: &Robot,
     task: &Task,
     (model, options): (&ModelKind, &PlaceOptions),
     placed: Result<&Placed, &PlaceError>,
     (tolerance_mm, known): (Option<f64>, Option<Known>),
-) -> Record {
+) {
     let best = placed.ok().and_then(Placed::feasible);
-    let mut record = Record::new();
-    stiffness::put_robot(&mut record, robot);
+    stiffness::put_robot(record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name());
-    force::put(&mut record, options.load);
-    payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).put(&mut record);
-    asked(&mut record, robot, model, options);
-    outcome(&mut record, placed);
+    force::put(record, options.load);
+    payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).put(record);
+    asked(record, robot, model, options);
+    outcome(record, placed);
     record
         .put(field::DEFLECTION, best.map(|best| best.deflection))
         .put(field::LOWER_BOUND, best.map(|best| best.lower_bound))
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
     let clearance = best.and_then(|best| clearance(robot, (model, options), task, best));
-    held(&mut record, (robot, best, clearance), options.cell.as_ref());
-    uncertainty::put(&mut record, known.map(|known| known.spread));
+    held(record, (robot, best, clearance), options.cell.as_ref());
+    uncertainty::put(record, known.map(|known| known.spread));
     let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
     let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
-    verdict::put(&mut record, tolerance_mm, held, best.is_none() && placed.is_ok());
-    record
+    verdict::put(record, tolerance_mm, held, best.is_none() && placed.is_ok());
 }
 
 /// How near the arm comes to anything at a place.
@@ -173,11 +175,11 @@ fn held(
 /// Every face of a part; null of one flat zone.
 fn faces(best: Option<&Placement>) -> Datum {
     let faces = best.map(|best| &best.faces).filter(|faces| !faces.is_empty());
-    faces.map_or(Datum::Absent, |faces| Datum::Nested(faces.iter().map(|face| face_record(face).json()).collect()))
+    faces.map_or(Datum::Absent, |faces| faces.iter().map(face_record).collect())
 }
 
 fn resolution(found: &Resolution) -> Record {
-    let mut record = Record::new();
+    let mut record = Record::of(&shape::RESOLUTION);
     record
         .put(field::COARSE_STEP, found.coarse_step)
         .put(field::COARSE, found.coarse)

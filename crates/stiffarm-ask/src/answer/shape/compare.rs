@@ -1,0 +1,11 @@
+//! Which fields do two setups have that are compared?
+
+use super::place::PLACEMENT;
+use super::{shapes, slots};
+
+shapes! {
+    COMPARISON: "ComparisonDict", "What `compare` answers.", &[slots![
+        SETUP_A => PLACEMENT, SETUP_B => PLACEMENT, SETUP_RATIO | null, TOLD_APART, BETTER_SETUP | null, WIN_PROBABILITY | null,
+        DIFFERENT, SUMMARY,
+    ]];
+}
