@@ -7,9 +7,9 @@ const DAY: u64 = 86_400;
 
 /// Today as year-month-day, UTC; where `SOURCE_DATE_EPOCH` is set (reproducible-builds.org), the day of that.
 pub fn today() -> String {
-    let told = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.trim().parse().ok());
+    let given = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.trim().parse().ok());
     let now = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    day(told.unwrap_or_else(now))
+    day(given.unwrap_or_else(now))
 }
 
 /// Of seconds since 1970, by the calendar of Gregory: 400 years have 146097 days, and years begin in March, so that a leap day comes last.
@@ -30,7 +30,7 @@ mod tests {
 
     /// Every day of four hundred years by counting the days of months one after the other.
     #[test]
-    fn every_day_of_four_hundred_years_is_told() {
+    fn every_day_of_four_hundred_years_is_as_counted() {
         let (mut year, mut month, mut of_month) = (1970, 1, 1);
         for days in 0..146_097 {
             assert_eq!(day(days * DAY + 4711), format!("{year:04}-{month:02}-{of_month:02}"));

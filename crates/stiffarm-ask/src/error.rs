@@ -90,7 +90,7 @@ pub enum AskError {
     /// An STL file that is not read.
     #[error(transparent)]
     Stl(#[from] StlFault),
-    /// A process of which no force is told.
+    /// A process of which no force is known.
     #[error("{file}: {error}")]
     Process {
         /// Which.
@@ -141,10 +141,10 @@ pub enum AskError {
         /// Why.
         error: stiffarm::compliance::PostureError,
     },
-    /// How an arm swings cannot be told.
+    /// How an arm swings cannot be computed.
     #[error(transparent)]
     Modes(stiffarm::modes::ModesError),
-    /// Whether a cut swings cannot be told.
+    /// Whether a cut swings cannot be computed.
     #[error("{file}: {error}")]
     Chatter {
         /// The process file.
@@ -193,7 +193,7 @@ pub enum AskError {
         /// Why.
         error: stiffarm::calibrate::CalibrateError,
     },
-    /// The answer is told: the file is not verified.
+    /// The answer is given: the file is not verified.
     #[error("{0} is not verified")]
     NotVerified(String),
     /// A study that makes no sense.
@@ -308,7 +308,7 @@ impl AskError {
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
             Self::Path(_) => "`stiffarm mill --help` lists what can be said of a path whose file is silent; a CAM program can write what is refused as plain moves",
             Self::Mill(_) => "`stiffarm mill --help` tells what a path, a process and a stock may be",
-            Self::Stl(_) => "export the finished part from CAD as STL, in the frame of the path, its unit told by part-unit",
+            Self::Stl(_) => "export the finished part from CAD as STL, in the frame of the path, its unit given by part-unit",
             Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",

@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn every_figure_of_the_paper_is_made_once_or_named_with_a_reason() {
         let items = items("svg");
-        let told: String = items.iter().map(|item| item.number.clone() + "; ").collect::<String>() + NOT_MADE[0].0;
+        let numbers: String = items.iter().map(|item| item.number.clone() + "; ").collect::<String>() + NOT_MADE[0].0;
         for number in 1..=19 {
             let ends = [
                 format!("Figure {number};"),
@@ -243,9 +243,9 @@ mod tests {
                 format!("and {number};"),
                 format!("Figures {number} "),
             ];
-            let is_told =
-                ends.iter().any(|end| told.contains(end.as_str())) || told.ends_with(&format!("Figure {number}"));
-            assert!(is_told, "{number}: {told}");
+            let is_named =
+                ends.iter().any(|end| numbers.contains(end.as_str())) || numbers.ends_with(&format!("Figure {number}"));
+            assert!(is_named, "{number}: {numbers}");
         }
         for (i, item) in items.iter().enumerate() {
             assert!(items[..i].iter().all(|other| other.file != item.file), "{} twice", item.file);

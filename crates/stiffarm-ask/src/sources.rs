@@ -165,11 +165,11 @@ impl Sources {
     /// # Errors
     /// Where there is no such file, or it has faults.
     pub fn robot(&self, name: &Path) -> Result<Loaded, AskError> {
-        let told = name.to_string_lossy();
-        if let Some(text) = self.at_hand(&told) {
+        let path = name.to_string_lossy();
+        if let Some(text) = self.at_hand(&path) {
             return Ok(files::load_text(text, name)?);
         }
-        self.check_disk(&told)?;
+        self.check_disk(&path)?;
         Ok(files::load(name)?)
     }
 

@@ -138,9 +138,10 @@ fn the_best_place_asked_for_again_has_the_same_value_and_no_other_has_less() {
     }
 }
 
-/// The same place with a little less clearance asked for than it has, and with a little more: nothing about a told place is taken on trust.
+/// The same place with a little less clearance asked for than it has, and with a little more: nothing about a
+/// place that was found is taken on trust.
 #[test]
-fn a_place_that_is_told_keeps_the_clearance_that_is_asked_for() {
+fn a_place_that_is_found_keeps_the_clearance_that_is_asked_for() {
     let there = [("task", "circle:0.1"), ("model", "spatial"), ("tool-mm", "0,0,250"), ("at", "1.5,0.6")];
     let has = feasible(&there).clearance_in_space.expect("it is known where the base stands").distance * 1e3;
     let with = |by: f64| placed(&[&there[..], &[("clearance-mm", &format!("{}", has + by))]].concat());

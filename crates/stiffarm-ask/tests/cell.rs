@@ -130,8 +130,8 @@ fn work_keeps_out_of_boxes_and_the_arm_keeps_its_distance_where_it_is_asked() {
     let off = Vector3::new((bx - x).abs() - 0.05, (by - y).abs() - 0.05, 0.0).map(|gap| gap.max(0.0));
     assert!(0.15 - 1e-6 <= off.norm(), "{off}");
     assert!(free.deflection <= beside.deflection * 1.001 && beside.lower_bound <= beside.deflection);
-    let told = beside.clearance_in_space.unwrap().distance;
-    let asked_for = told.max(0.0) + 0.02;
+    let distance = beside.clearance_in_space.unwrap().distance;
+    let asked_for = distance.max(0.0) + 0.02;
     let mm = format!("{}", asked_for * 1e3);
     let options = asked(&[window, ("keep-out", &post), ("clearance-mm", &mm)]);
     let farther = best(CIRCLE, &options);

@@ -3,9 +3,9 @@
 // One program for all of them: each would link the library once more.
 mod at_one_place;
 mod cell;
+mod distinguished;
 mod measured;
 mod path_places;
 mod requests;
 mod several_tools;
-mod told_apart;
 mod watch;

@@ -84,7 +84,7 @@ fn every_tip_of_a_path_keeps_the_column_the_front_and_the_floor() {
 
 /// Turned by 30 deg on a pedestal of half a metre the robot meets the same window half a metre higher; by hand.
 #[test]
-fn a_pedestal_raises_what_is_asked_and_turns_what_is_told() {
+fn a_pedestal_raises_what_is_asked_and_turns_what_is_reported() {
     let alone = placed("rect:0.3x0.2", &[("within", "1.0..2.0,0.4..1.0")]);
     let raised = placed("rect:0.3x0.2", &[("within", "1.0..2.0,0.9..1.5"), ("mount", "pedestal:0.5@30")]);
     let [one, other] = [&alone, &raised].map(|answer| answer.placement.expect("a place"));
@@ -99,7 +99,8 @@ fn a_pedestal_raises_what_is_asked_and_turns_what_is_told() {
 }
 
 /// Places by chance in cells of every kind, their tips and the pose before the base by hand: none that is allowed is better than what is
-/// proved, none by more than the last step leaves than what is told; and the place that is told is allowed, and asked for again has the same error.
+/// proved, none by more than the last step leaves than what is found; and the place that is found is allowed, and asked for
+/// again has the same error.
 #[test]
 fn no_allowed_place_by_chance_is_better_than_what_is_proved_in_a_cell() {
     type Ranges = [[f64; 2]; 3];
@@ -216,7 +217,7 @@ fn what_says_where_a_path_is_sought_does_not_go_with_a_place_that_is_given() {
     }
 }
 
-/// An arm that stands in a floor: the path is told with what is touched, and a program is written where that is allowed alone.
+/// An arm that stands in a floor: the path is reported with what is touched, and a program is written where that is allowed alone.
 #[test]
 fn a_program_is_written_over_a_touch_only_where_that_is_allowed() {
     let answer = |options: &[(&str, &str)]| answered("line:0.1", &[&[("at", "1.5,0,0.8")], options].concat());
@@ -240,7 +241,7 @@ fn a_program_is_written_over_a_touch_only_where_that_is_allowed() {
     let program = allowed.program(Language::Krl).expect("it is allowed");
     assert!(program.contains("WARNING: written although"), "{program}");
     assert!(allowed.shortfall().is_none());
-    // Of what is asked and not kept the distance is told.
+    // Of what is asked and not kept the distance is reported.
     let near = answer(&[("clearance-mm", "2000")]);
     let refused = near.program(Language::Krl).expect_err("refused").to_string();
     assert!(refused.contains("mm apart, 2000.0 mm asked"), "{refused}");

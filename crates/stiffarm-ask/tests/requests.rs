@@ -127,24 +127,28 @@ fn examples_and_defaults_are_understood() {
                 given[0].1 = text;
                 let explicit = asked(verb, &given).unwrap_or_else(|why| panic!("{verb:?}, {name} {text}: {why}"));
                 let implicit = asked(verb, &given[1..]).expect("the same without it");
-                assert_eq!(told(&explicit), told(&implicit), "{verb:?}: {name} is not {text} where it is left out");
+                assert_eq!(
+                    understood(&explicit),
+                    understood(&implicit),
+                    "{verb:?}: {name} is not {text} where it is left out"
+                );
             }
         }
     }
 }
 
 /// Everything that a request can be asked for, in words.
-fn told(request: &Request) -> String {
-    let mut told = vec![format!("{:?} {:?}", request.robots(), (request.tasks(), request.flat_task().ok()))];
+fn understood(request: &Request) -> String {
+    let mut parts = vec![format!("{:?} {:?}", request.robots(), (request.tasks(), request.flat_task().ok()))];
     let verb = request.verb;
     if [Verb::Rank, Verb::Place, Verb::Map].contains(&verb) {
         let zone = Zone::Rectangle { width: 1.0, height: 2.0 };
-        told.push(format!("{:?} {:?}", request.model(), request.tool_pose()));
-        told.push(format!("{:?} {:?}", request.place_options(Some(zone)).ok(), request.place_options(None).ok()));
+        parts.push(format!("{:?} {:?}", request.model(), request.tool_pose()));
+        parts.push(format!("{:?} {:?}", request.place_options(Some(zone)).ok(), request.place_options(None).ok()));
     }
-    told.push(format!("{:?}", request.equipped(paper_robots().swap_remove(0))));
-    told.push(format!("{:?} {:?}", request.scale().ok(), request.width_mm()));
-    told.push(match verb {
+    parts.push(format!("{:?}", request.equipped(paper_robots().swap_remove(0))));
+    parts.push(format!("{:?} {:?}", request.scale().ok(), request.width_mm()));
+    parts.push(match verb {
         Verb::Rank | Verb::List => format!("{:?} {:?}", request.filter(Vec::new()), request.tolerance_mm()),
         Verb::Place => format!("{:?} {:?} {:?}", request.robot().ok(), request.task().ok(), request.tolerance_mm()),
         Verb::Map => {
@@ -175,7 +179,7 @@ fn told(request: &Request) -> String {
             format!("{:?} {:?}", request.study(Some(&robot)), request.is_given("robot"))
         }
         Verb::Compare => {
-            let side = request.of_robot("BT200L").ok().map(|side| self::told(&side));
+            let side = request.of_robot("BT200L").ok().map(|side| self::understood(&side));
             format!("{:?} {side:?}", ["a", "b"].map(|name| request.is_given(name)))
         }
         Verb::Measure => {
@@ -223,12 +227,12 @@ fn told(request: &Request) -> String {
         }
         Verb::Force => format!("{:?}", request.process().ok()),
     });
-    told.join(" ")
+    parts.join(" ")
 }
 
 /// An option that nothing reads would be an option that does nothing.
 #[test]
-fn every_option_changes_what_is_told() {
+fn every_option_changes_what_is_understood() {
     for verb in Verb::ALL {
         for setting in verb.settings() {
             let with = alone(verb, setting);
@@ -239,7 +243,7 @@ fn every_option_changes_what_is_told() {
             let left = if go_together { &[] } else { &with[1..] };
             let without = asked(verb, left).expect("the same without it");
             let with = asked(verb, &with).expect("an example");
-            assert_ne!(told(&with), told(&without), "{verb:?}: {} changes nothing", setting.name);
+            assert_ne!(understood(&with), understood(&without), "{verb:?}: {} changes nothing", setting.name);
         }
     }
 }
@@ -432,7 +436,7 @@ fn a_job_says_the_same_with_dashes_tables_and_lists() {
     let job = "verb = 'place'\nrobot = 'BT200L'\ntask = 'B:0.5'\nforce_n = 5_00.0\nmodel = 'spatial'\nyaw-deg = 'any'\n\
                within = ['1..2', '0.5..']\nthreads = 2\nquiet = true\n[tool]\nmm = [0, 0, -200.5]\ndirection = -30\n";
     let (job, request) = read_job(job).unwrap();
-    assert_eq!(told(&request), told(&typed));
+    assert_eq!(understood(&request), understood(&typed));
     let program: Vec<(&str, &str)> = job.program.iter().map(|pair| (pair.name.as_str(), pair.text.as_str())).collect();
     assert_eq!(program, [("threads", "2"), ("quiet", "true")]);
 }
@@ -519,7 +523,7 @@ fn same_once_saved(verb: Verb, given: &[(&'static str, String)]) -> Result<(), T
     if let Ok(request) = asked(verb, &pairs) {
         let text = job::write(&request, &[], Path::new("job.toml"));
         let (_, again) = read_job(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
-        prop_assert_eq!(told(&again), told(&request), "{}", text);
+        prop_assert_eq!(understood(&again), understood(&request), "{}", text);
         prop_assert_eq!(job::write(&again, &[], Path::new("job.toml")), text);
     }
     Ok(())

@@ -109,7 +109,7 @@ fn several_tools_need_a_process_a_length_and_a_place_each() {
     let file = format!("{HEAD}T1 M6\n{ONE}T2 M6\n{OTHER}M2\n");
     let three = format!("{HEAD}T1 M6\n{ONE}T2 M6\n{OTHER}T3 M6\n{ONE}M2\n");
     let refused = |file: &str, options: &[(&str, &str)]| by_tool(file, options).expect_err("refused").to_string();
-    for (told, says) in [
+    for (message, says) in [
         (refused(&three, &BY_TOOL), "process has no file for T3, from line 14"),
         (refused(&format!("{HEAD}T1 M6\n{ONE}M2\n"), &BY_TOOL), "process names T2, which never feeds along the path"),
         (refused(&file, &with("tool-lengths-mm", "T1=30")), "tool-lengths-mm has no length of T2"),
@@ -123,7 +123,7 @@ fn several_tools_need_a_process_a_length_and_a_place_each() {
         (refused(&file, &[&BY_TOOL[..], &[("stock-mm", "0..1,0..1,0..1")]].concat()), "stock-mm follows one tool"),
         (refused(&file, &[&BY_TOOL[..], &[("pin", "0@1")]].concat()), "pin"),
     ] {
-        assert!(told.contains(says), "{told}: {says}");
+        assert!(message.contains(says), "{message}: {says}");
     }
     // One process is that of one tool, whose length it takes.
     let one = request("two.nc", &with("process", "one.toml")).expect("a question");

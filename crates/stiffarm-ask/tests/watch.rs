@@ -1,4 +1,4 @@
-//! Whoever waits for a verb is told how far it is; what is stopped, wherever it is, has no answer.
+//! Whoever waits for a verb learns how far it is; what is stopped, wherever it is, has no answer.
 
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -20,24 +20,24 @@ use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 /// Wants so many parts and no more; counts them, and the most that there were said to be.
 struct Wants {
     most: usize,
-    told: AtomicUsize,
+    counted: AtomicUsize,
     total: AtomicUsize,
 }
 
 impl Wants {
     fn parts(most: usize) -> Self {
-        Self { most, told: AtomicUsize::new(0), total: AtomicUsize::new(0) }
+        Self { most, counted: AtomicUsize::new(0), total: AtomicUsize::new(0) }
     }
 }
 
 impl Waiting for Wants {
     fn is_wanted(&self) -> bool {
-        self.told.load(Ordering::SeqCst) < self.most
+        self.counted.load(Ordering::SeqCst) < self.most
     }
 
     fn progress(&self, done: usize, total: Option<usize>) {
         assert!(0 < done && total.is_none_or(|total| done <= total), "{done} of {total:?}");
-        self.told.fetch_add(1, Ordering::SeqCst);
+        self.counted.fetch_add(1, Ordering::SeqCst);
         self.total.store(total.unwrap_or(0), Ordering::SeqCst);
     }
 }
@@ -48,14 +48,14 @@ fn stopped_anywhere<T: PartialEq + std::fmt::Debug>(what: &str, is_counted: bool
     let all = Wants::parts(usize::MAX);
     let answer = ask(Watch::of(&all)).unwrap_or_else(|| panic!("{what}: stopped by nobody"));
     assert_eq!(ask(Watch::nobody()).as_ref(), Some(&answer), "{what}: the answer depends on who waits");
-    let (told, total) = (all.told.into_inner(), all.total.into_inner());
-    assert_eq!(total, if is_counted { told } else { 0 }, "{what}");
-    assert!(1 < told, "{what}: {told} parts");
-    for most in [0, told / 4, told / 2, told - 1] {
+    let (counted, total) = (all.counted.into_inner(), all.total.into_inner());
+    assert_eq!(total, if is_counted { counted } else { 0 }, "{what}");
+    assert!(1 < counted, "{what}: {counted} parts");
+    for most in [0, counted / 4, counted / 2, counted - 1] {
         let waiting = Wants::parts(most);
-        assert_eq!(ask(Watch::of(&waiting)), None, "{what}: an answer after {most} of {told} parts");
+        assert_eq!(ask(Watch::of(&waiting)), None, "{what}: an answer after {most} of {counted} parts");
         // Those that were at work end theirs.
-        assert!(waiting.told.into_inner() <= most + rayon::current_num_threads(), "{what}");
+        assert!(waiting.counted.into_inner() <= most + rayon::current_num_threads(), "{what}");
     }
 }
 

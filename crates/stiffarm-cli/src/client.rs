@@ -67,7 +67,7 @@ impl Waiting for Client {
 
     fn progress(&self, done: usize, total: Option<usize>) {
         let mut far = locked(&self.far);
-        // Parts that end at once are told in any order; other parts begin anew.
+        // Parts that end at once are reported in any order; other parts begin anew.
         let done = if far.total == total { far.done.max(done) } else { done };
         *far = Far { done: total.map_or(done, |total| done.min(total)), total, ..*far };
     }
@@ -87,7 +87,7 @@ mod tests {
     fn no_more_is_done_than_there_is_to_do_and_the_next_work_begins_anew() {
         let client = Client::waiting();
         client.begins("milling");
-        for (told, far) in [
+        for (reported, far) in [
             ((3, Some(9)), (3, Some(9))),
             ((2, Some(9)), (3, Some(9))),
             ((9, Some(9)), (9, Some(9))),
@@ -96,7 +96,7 @@ mod tests {
             ((8, None), (8, None)),
             ((2, Some(5)), (2, Some(5))),
         ] {
-            client.progress(told.0, told.1);
+            client.progress(reported.0, reported.1);
             let Far { done, total, doing } = client.far();
             assert_eq!(((done, total), doing), (far, "milling"));
         }

@@ -69,7 +69,7 @@ pub(crate) enum Failure {
         /// What to do about the first.
         hint: String,
     },
-    /// With `--check`: the answer is told, and is no.
+    /// With `--check`: the answer is given, and is no.
     #[error("{0}")]
     NotHeld(String),
 }

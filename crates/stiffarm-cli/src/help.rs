@@ -4,10 +4,10 @@ use clap::{Args, Command};
 
 use crate::common::Common;
 
-/// What is told at the end of the program's own help.
+/// What stands at the end of the program's own help.
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
-  0  the answer is told
+  0  the answer is given
   1  no answer: a file, a robot, a search
   2  wrong usage
   3  with --check (rank, place, mill): the tolerance is not held, there is no place, or with --chatter a cut surely swings";

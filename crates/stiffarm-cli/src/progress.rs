@@ -90,7 +90,7 @@ pub(crate) fn watched<T>(doing: &'static str, common: &Common, work: impl FnOnce
     })
 }
 
-/// Puts on a bar what is told.
+/// Puts on a bar how far a work is.
 struct Shown<'a> {
     bar: &'a ProgressBar,
     /// How it looks once it is known how much there is to do.

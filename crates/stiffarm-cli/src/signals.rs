@@ -52,7 +52,7 @@ mod linux {
             let ignored = ignored(&fs::read_to_string("/proc/self/status")?);
             let may_end = Arc::new(AtomicBool::new(true));
             let mut pending = Vec::new();
-            // What the shell has told us to ignore (nohup, a job in the background) stays ignored.
+            // What the shell made the program ignore (nohup, a job in the background) stays ignored.
             for signal in [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0) {
                 let came = Arc::new(AtomicBool::new(false));
                 flag::register_conditional_default(signal, Arc::clone(&may_end))?;
@@ -63,7 +63,7 @@ mod linux {
         }
     }
 
-    /// The signals that the program was told to ignore, a bit each from 1, as the kernel lists them; all where it does not say.
+    /// The signals that were ignored when the program was started, a bit each from 1, as the kernel lists them; all where it does not say.
     fn ignored(status: &str) -> u64 {
         let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
         mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(u64::MAX)
@@ -81,7 +81,7 @@ mod linux {
 
         /// What [`a_signal_waits_until_the_work_is_done`] starts; alone it does nothing.
         #[test]
-        fn is_told_to_end_while_it_works() {
+        fn is_asked_to_end_while_it_works() {
             let Some(path) = env::var_os(FILE) else { return };
             waiting(|| {
                 low_level::raise(SIGTERM).unwrap();
@@ -95,7 +95,7 @@ mod linux {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("file");
             let child = |run: &str| {
-                let test = "signals::linux::tests::is_told_to_end_while_it_works";
+                let test = "signals::linux::tests::is_asked_to_end_while_it_works";
                 let program = format!("{run} \"$0\" --exact {test}");
                 let mut shell = Command::new("sh");
                 let ended = shell.arg("-c").arg(program).arg(env::current_exe().unwrap()).env(FILE, &path).output();

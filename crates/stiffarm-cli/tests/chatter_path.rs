@@ -158,7 +158,7 @@ fn lobes_and_a_report_show_the_worst_sample() {
         assert!(report.contains(words), "{words}");
     }
     let (code, _, err) = run(folder.path(), &[&MILL, &ROBOT, &TOOL, &["-o", "part.lobes.svg"]]);
-    assert!(code != Some(0) && err.contains("lobes are told with --chatter"), "{err}");
+    assert!(code != Some(0) && err.contains("lobes are computed with --chatter"), "{err}");
 }
 
 const TAPPED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples/tip_modes.csv");

@@ -118,7 +118,7 @@ fn exit_codes_are_as_help_says() {
         assert!(*code == 1 || *code == 2 || !ran.out.is_empty(), "{arguments:?}");
     }
     let help = ran(&[], &["--help"]).out;
-    for line in ["0  the answer is told", "1  no answer", "2  wrong usage", "3  with --check"] {
+    for line in ["0  the answer is given", "1  no answer", "2  wrong usage", "3  with --check"] {
         assert!(help.contains(line), "{help}");
     }
     let page = include_str!("../../../docs/guide/reference/scripts.md");

@@ -136,7 +136,7 @@ fn a_plan_for_a_robot_whose_pendant_is_not_known_opens_with_that_and_is_read_all
     program(&asked("GP200R")).success();
     let text = fs::read_to_string(&table).unwrap();
     let first = text.lines().next().unwrap();
-    assert!(first.starts_with("# joints are told as the robot file of GP200R counts them"), "{first}");
+    assert!(first.starts_with("# joints are given as the robot file of GP200R counts them"), "{first}");
     let read = program(&["measure", "GP200R", "--runs", "8", "--candidates", "200", "--compare", &table]).success();
     let printed = String::from_utf8_lossy(&read.get_output().stdout).into_owned();
     assert!(printed.contains("your table") && printed.contains("compare before you type them"), "{printed}");
@@ -228,6 +228,6 @@ fn points_on_the_axis_of_joint_6_are_said_to_tell_nothing_of_its_zero() {
             ["measure", "KR 210 R2700 extra", "--geometry", "--runs", "8", "--candidates", "40", "--marker-mm", marker];
         let output = program(&words).success();
         let printed = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
-        assert_eq!(printed.contains("nothing is told of its zero"), is_on_axis, "{marker}: {printed}");
+        assert_eq!(printed.contains("they show nothing of its zero"), is_on_axis, "{marker}: {printed}");
     }
 }

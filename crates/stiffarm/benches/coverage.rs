@@ -1,6 +1,6 @@
 //! How often do the intervals of an identification hold the truth, over 1000 tables of known truth? No time is measured.
 //!
-//! Of 95 % some 950, with a standard deviation of 7; the larger of two errors is told, so that it may be more.
+//! Of 95 % some 950, with a standard deviation of 7; the larger of two errors is reported, so that it may be more.
 
 #[path = "../tests/made/mod.rs"]
 mod made;

@@ -4,7 +4,7 @@
 //! `tx2_90l_calibration.csv` and every other `tx2_90l_*.csv`. They state no licence, so that they are not part of this repository.
 //!
 //! Rows of one table calibrate; rows of another, or the rest of the same, are what is measured later. There the tracker and its target
-//! stand elsewhere, so that both are fitted anew; what is left is held against the interval that was told for those postures.
+//! stand elsewhere, so that both are fitted anew; what is left is held against the interval that was given for those postures.
 
 #[path = "../tests/made/mod.rs"]
 mod made;

@@ -77,7 +77,7 @@ fn along_a_path(c: &mut Criterion) {
         let (at, turn) = (flange.translation.vector, flange.rotation.coords);
         OpwPose::from_parts(DVec3::new(at.x, at.y, at.z), DQuat::from_xyzw(turn.x, turn.y, turn.z, turn.w))
     };
-    // A tenth of the poses, spread over all, and told as what it is.
+    // A tenth of the poses, spread over all, and named as what it is.
     let poses: Vec<OpwPose> = stations
         .iter()
         .step_by(10)
@@ -164,14 +164,14 @@ fn chatter_of_cuts(c: &mut Criterion) {
     group.bench_function(format!("along_{}_samples", stations.len()), |b| {
         let path = (&stations[..], &found.samples[..]);
         let along = || chatter_along(&robot, &stand, path, (&process, &held, &options), Watch::nobody());
-        b.iter(|| black_box(one.install(along)).expect("told").samples.len());
+        b.iter(|| black_box(one.install(along)).expect("an answer").samples.len());
     });
     group.throughput(Throughput::Elements(1));
     group.bench_function("one_cut_with_its_chart", |b| {
         let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: Some(body) };
         let asked = Asked { feed: [0.0, 1.0, 0.0], damping: None, method: None, measured: None };
-        let told = || chatter(&robot, &found.samples[0].joints, &tool, &process, &asked);
-        b.iter(|| black_box(one.install(told)).expect("told").lobes.len());
+        let judged = || chatter(&robot, &found.samples[0].joints, &tool, &process, &asked);
+        b.iter(|| black_box(one.install(judged)).expect("an answer").lobes.len());
     });
     group.finish();
 }

@@ -56,16 +56,17 @@ fn lines(c: &mut Criterion) {
         group.bench_function(format!("{name}_moves"), |b| {
             b.iter(|| {
                 let mut count = 0_usize;
-                let told = read(&mut text.as_bytes(), "a", format, &options, &mut |_| count += 1, &mut |_| Ok(()));
-                black_box((told.expect("a path"), count))
+                let understood =
+                    read(&mut text.as_bytes(), "a", format, &options, &mut |_| count += 1, &mut |_| Ok(()));
+                black_box((understood.expect("a path"), count))
             });
         });
         group.bench_function(format!("{name}_survey"), |b| {
             b.iter(|| {
                 let mut survey = Survey::new(Steps::USUAL);
-                let told =
+                let understood =
                     read(&mut text.as_bytes(), "a", format, &options, &mut |one| survey.add(one), &mut |_| Ok(()));
-                black_box((told.expect("a path"), survey))
+                black_box((understood.expect("a path"), survey))
             });
         });
     }

@@ -1,4 +1,4 @@
-//! How is told what is missing where a tolerance is not kept, and what is left where it is?
+//! What is missing where a tolerance is not kept, and what is left where it is?
 
 use serde_json::json;
 
@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_holds_is_told_as_no_more_and_what_is_needed_as_no_less() {
+    fn what_holds_is_rounded_down_and_what_is_needed_up() {
         let x = [0.049_256_6, 0.492_566, 4.925_66, 49.2566, 4925.66, 1.0, 0.0];
         assert_eq!(x.map(down), ["0.04925", "0.4925", "4.925", "49.25", "4925", "1.000", "0"].map(String::from));
         assert_eq!(x.map(up), ["0.04926", "0.4926", "4.926", "49.26", "4926", "1.000", "0"].map(String::from));

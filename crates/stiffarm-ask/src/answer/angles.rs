@@ -1,4 +1,4 @@
-//! How is an angle told that was asked for?
+//! An angle that was asked for, as answers give it.
 
 /// Degrees as they were typed, of an angle that was asked, rad: not as they come out of radians.
 pub(super) fn asked_degrees(angle: f64) -> f64 {

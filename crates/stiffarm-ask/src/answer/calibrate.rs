@@ -240,7 +240,7 @@ impl CalibrateAnswer {
         let found = &self.found;
         if found.drives.is_some() {
             return Some(
-                "Own weight by the masses of the robot file: what the flange holds counts where the file has it as a mass of link 6, and a counterbalance that the file does not have makes drive 2 look stiffer than it is. The robot file keeps its [compliance]; --drive-urad-per-nm takes what is told here.\n",
+                "Own weight by the masses of the robot file: what the flange holds counts where the file has it as a mass of link 6, and a counterbalance that the file does not have makes drive 2 look stiffer than it is. The robot file keeps its [compliance]; --drive-urad-per-nm takes what is reported here.\n",
             );
         }
         (found.has_masses && Level::Weight <= found.level).then_some(

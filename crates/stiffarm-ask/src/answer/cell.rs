@@ -1,4 +1,4 @@
-//! How is a cell told?
+//! How is a cell reported?
 
 use std::collections::BTreeSet;
 
@@ -50,10 +50,10 @@ pub(super) fn known_about<'a>(robots: impl Iterator<Item = &'a Robot>, cell: Opt
 pub(super) fn carrying<'a>(robots: impl Iterator<Item = &'a Robot>, cell: Option<&Cell>) -> String {
     let Some(cell) = cell else { return String::new() };
     let found: BTreeSet<usize> = robots.flat_map(|robot| clearance::carrying(robot, cell)).collect();
-    let told = found.into_iter().map(|number| {
+    let notes = found.into_iter().map(|number| {
         format!("a base stands in or on keep-out {number}, which is taken as what carries it: what joints move keeps out of it\n")
     });
-    told.collect()
+    notes.collect()
 }
 
 /// Of which places the lower bound holds, where the cell takes some away.
@@ -131,12 +131,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mount_is_told_as_turned_as_it_is() {
+    fn a_mount_is_reported_as_turned_as_it_is() {
         for kind in [Mount::pedestal(0.5), Mount::ceiling(3.0), Mount::wall(2.0)] {
             assert!(!mount(&kind).contains("turned"), "{}", mount(&kind));
             for turn in [40.0_f64, -130.0] {
-                let told = mount(&kind.turned(turn.to_radians()));
-                assert!(told.ends_with(&format!(", turned {turn:.1} deg")), "{told}");
+                let text = mount(&kind.turned(turn.to_radians()));
+                assert!(text.ends_with(&format!(", turned {turn:.1} deg")), "{text}");
             }
         }
     }

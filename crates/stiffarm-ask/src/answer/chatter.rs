@@ -1,4 +1,4 @@
-//! How is it told whether a cut swings?
+//! Does a cut swing? The answer as fields and as text.
 
 use std::f64::consts::TAU;
 
@@ -130,7 +130,7 @@ impl ChatterAnswer {
         record
     }
 
-    /// What is told of a cut, whoever asks, but the verdict in words; every key is there where nothing is told, too.
+    /// What is reported of a cut, whoever asks, but the verdict in words; every key is there where nothing is known, too.
     pub(super) fn put_cut(found: Option<&Self>, record: &mut Record) {
         let chatter = found.map(|found| &found.chatter);
         let cut = chatter.map(|chatter| chatter.cut.milling.engagement);
@@ -210,7 +210,7 @@ impl ChatterAnswer {
         Table::of_lines(lines)
     }
 
-    /// What is told of the cut.
+    /// What is reported of the cut.
     pub(super) fn lines(&self) -> Vec<Line> {
         let Self { chatter, .. } = self;
         let at =

@@ -1,4 +1,4 @@
-//! How are two setups told side by side?
+//! How are two setups reported side by side?
 
 use serde_json::{Value, json};
 
@@ -131,7 +131,7 @@ impl CompareAnswer {
             .put(field::SETUP_A, a.record())
             .put(field::SETUP_B, b.record())
             .put(field::SETUP_RATIO, self.ratio())
-            .put(field::TOLD_APART, better.is_some())
+            .put(field::DISTINGUISHED, better.is_some())
             .put(field::BETTER_SETUP, better.map(|side| NAMES[side]))
             .put(field::WIN_PROBABILITY, self.chances().map(|chances| json!(chances)))
             .put(field::DIFFERENT, json!(self.differ_in()))
@@ -202,20 +202,22 @@ impl CompareAnswer {
         let mut sentences = vec![match (self.better(), self.ratio()) {
             (Some(better), Some(ratio)) => {
                 let times = if better == 0 { ratio } else { 1.0 / ratio };
-                let told = format!("{} gives way {} times as far", called(1 - better), fixed(times, 3));
+                let clause = format!("{} gives way {} times as far", called(1 - better), fixed(times, 3));
                 match self.chances() {
                     Some(share) if SURE <= share[better] => format!(
-                        "{} is better: {told}, which is proved at the nominal stiffness, and it is stiffer in {} of the draws of the drives.",
+                        "{} is better: {clause}, which is proved at the nominal stiffness, and it is stiffer in {} of the draws of the drives.",
                         called(better),
                         percent(share[better])
                     ),
                     Some(share) => format!(
-                        "At the nominal stiffness {} is better, which is proved: {told}. By what is known of the drives {}: it is stiffer in {} of the draws.",
+                        "At the nominal stiffness {} is better, which is proved: {clause}. By what is known of the drives {}: it is stiffer in {} of the draws.",
                         called(better),
                         if SURE <= share[1 - better] { "it is not" } else { "they tie" },
                         percent(share[better])
                     ),
-                    None => format!("At the nominal stiffness {} is better, which is proved: {told}.", called(better)),
+                    None => {
+                        format!("At the nominal stiffness {} is better, which is proved: {clause}.", called(better))
+                    }
                 }
             }
             (Some(better), None) => {

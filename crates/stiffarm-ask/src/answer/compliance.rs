@@ -1,4 +1,4 @@
-//! How is the compliance of postures told?
+//! How is the compliance of postures reported?
 
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -18,8 +18,8 @@ use stiffarm::spatial::{Pose, Wrench};
 use stiffarm::uncertainty::{Spread, of_posture};
 use stiffarm::watch::Watch;
 
-/// In which many postures are told: joint angles in degrees, compliances in um/N.
-const TOLD: Units = Units { angle: std::f64::consts::PI / 180.0, compliance: 1e-6 };
+/// The units of many postures: joint angles in degrees, compliances in um/N.
+const UNITS: Units = Units { angle: std::f64::consts::PI / 180.0, compliance: 1e-6 };
 
 /// The answer of `compliance`, with what was asked.
 #[derive(Clone, Debug)]
@@ -182,7 +182,7 @@ pub fn worst_um_per_n(
     found: &mut [f64],
     watch: Watch,
 ) -> Result<(), RowsError> {
-    worst_of_rows(robot, flange_from_tool, joints_deg, TOLD, found, watch)
+    worst_of_rows(robot, flange_from_tool, joints_deg, UNITS, found, watch)
 }
 
 /// The block from force to translation, um/N, base axes, at many postures; see [`matrices_of_rows`].
@@ -199,5 +199,5 @@ pub fn matrices_um_per_n(
     found: &mut [[f64; 9]],
     watch: Watch,
 ) -> Result<(), RowsError> {
-    matrices_of_rows(robot, flange_from_tool, joints_deg, TOLD, found, watch)
+    matrices_of_rows(robot, flange_from_tool, joints_deg, UNITS, found, watch)
 }

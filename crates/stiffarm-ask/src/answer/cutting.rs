@@ -1,4 +1,4 @@
-//! What is told of the force of a process.
+//! What is reported of the force of a process.
 
 use serde_json::Value;
 
@@ -118,9 +118,9 @@ impl CuttingAnswer {
                 let names = ["feed", "across, to its left", "axial, away from the work"];
                 let names = if is_of_part { ["along x of the part", "along y", "along z"] } else { names };
                 for (i, name) in names.into_iter().enumerate() {
-                    let told =
+                    let text =
                         format!("mean {} N, from {} to {} N", fixed(mean[i], 2), fixed(low[i], 2), fixed(high[i], 2));
-                    lines.push(line(name, told));
+                    lines.push(line(name, text));
                 }
                 lines.push(line("largest", format!("{} N", fixed(force.largest, 2))));
             }

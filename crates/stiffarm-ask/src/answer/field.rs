@@ -104,8 +104,8 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_told_in_their_unit() {
-        for (unit, si, told) in [
+    fn numbers_are_given_in_their_unit() {
+        for (unit, si, expected) in [
             (Unit::Millimetre, 0.0025, 2.5),
             (Unit::Degree, std::f64::consts::PI, 180.0),
             (Unit::MicrometrePerNewton, 3e-6, 3.0),
@@ -114,7 +114,7 @@ mod tests {
             (Unit::Metre, 1.5, 1.5),
             (Unit::MillimetrePerMinute, 0.01, 600.0),
         ] {
-            assert!((unit.of_si(si) - told).abs() < 1e-12, "{unit:?}");
+            assert!((unit.of_si(si) - expected).abs() < 1e-12, "{unit:?}");
         }
     }
 }

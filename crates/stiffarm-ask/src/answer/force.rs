@@ -1,4 +1,4 @@
-//! How is a force told?
+//! How is a force reported?
 
 use super::angles::asked_degrees;
 use super::numbers::digits;
@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_force_is_told_as_a_machinist_gives_it() {
+    fn a_force_is_worded_as_a_machinist_gives_it() {
         let in_words = |load: Result<Load, _>| force(load.unwrap());
         assert_eq!(in_words(Load::worst(400.0)), "400 N in its worst direction");
         let milling = Load::along_tool([300.0, 100.0, 50.0], None);

@@ -1,4 +1,4 @@
-//! How is an identification told?
+//! How is an identification reported?
 
 use std::fmt::Write as _;
 
@@ -182,7 +182,7 @@ impl IdentifyAnswer {
                         let left_out = fit.left_out.map_or_else(|| "-".into(), mm);
                         format!("{name} {left_out} (BIC {})", fixed(fit.bic, 0))
                     }
-                    Err(why) => format!("{name} not told ({why})"),
+                    Err(why) => format!("{name} not fitted ({why})"),
                 }
             });
             let each = each.collect::<Vec<_>>().join(", ");
@@ -191,7 +191,7 @@ impl IdentifyAnswer {
         lines.extend(
             found
                 .noise_ratio
-                .map(|ratio| line("against the noise told", format!("{} times as much remains", fixed(ratio, 2)))),
+                .map(|ratio| line("against the noise given", format!("{} times as much remains", fixed(ratio, 2)))),
         );
         let condition = found.condition();
         let condition =
@@ -291,10 +291,10 @@ impl IdentifyAnswer {
                   beyond 50 % a drive is not identified\n";
         notes += match found.model {
             Springs::Base | Springs::Tool | Springs::All => {
-                "a robot file has drives alone: base and tool are told here, so that the drives are not blamed for them\n"
+                "a robot file has drives alone: base and tool are reported here, so that the drives are not blamed for them\n"
             }
             Springs::Regions => {
-                "a robot file has one compliance of drive 2: that of the model drives; regions are told here\n"
+                "a robot file has one compliance of drive 2: that of the model drives; regions are reported here\n"
             }
             Springs::Compensator | Springs::Preload => {
                 "error of the compensator: beside that of drive 2, which pulls at the same joint; its ends are those of the robot file\n"
@@ -348,8 +348,8 @@ impl IdentifyAnswer {
             [(_, name)] => format!("{name} alone"),
             parts => {
                 let first = parts.first().map_or(1.0, |(part, _)| *part);
-                let told = parts.iter().map(|(part, name)| format!("{} x {name}", fixed(part / first, 2)));
-                format!("{} together", told.collect::<Vec<_>>().join(", "))
+                let terms = parts.iter().map(|(part, name)| format!("{} x {name}", fixed(part / first, 2)));
+                format!("{} together", terms.collect::<Vec<_>>().join(", "))
             }
         }
     }
@@ -382,7 +382,7 @@ pub(super) fn springing(model: Springs) -> &'static str {
     }
 }
 
-/// In which unit a spring is told, and how many of it are one in SI.
+/// In which unit a spring is reported, and how many of it are one in SI.
 const fn unit_of(spring: Spring) -> (&'static str, f64) {
     match spring {
         Spring::Compensator => ("N/mm", 1e-3),

@@ -313,9 +313,9 @@ mod tests {
     fn a_level_zone_has_the_height_of_its_face_and_its_sides() {
         let answer = placed("rect:0.3x0.2", ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2)));
         let (best, layout) = (answer.best().unwrap(), answer.layout().unwrap());
-        let told = layout.measured();
-        assert!(told[0][0].starts_with("height of the worked face"), "{told:?}");
-        assert_eq!(told[0][1], format!("{} mm", fixed(best.centre[1] * 1e3, 1)));
+        let measured = layout.measured();
+        assert!(measured[0][0].starts_with("height of the worked face"), "{measured:?}");
+        assert_eq!(measured[0][1], format!("{} mm", fixed(best.centre[1] * 1e3, 1)));
         let sides: Vec<f64> = [0, 1].map(|axis| layout.extent(axis)).iter().map(|[low, high]| high - low).collect();
         // The area of a rectangle that is turned by a quarter or not at all.
         assert!((sides[0] * sides[1] - 0.06).abs() < 1e-9, "{sides:?}");
@@ -324,7 +324,7 @@ mod tests {
         assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
     }
 
-    /// The corners of a path over the zone, from its origin and turned as told, are those of the zone.
+    /// The corners of a path over the zone, from its origin and turned as the answer says, are those of the zone.
     #[test]
     fn a_path_stands_where_its_zone_was_placed() {
         let spindle = ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2));
@@ -373,20 +373,20 @@ mod tests {
         assert!(
             layout.is_closed && layout.yaw.is_some_and(|yaw| (yaw.cos() - c).abs() + (yaw.sin() - s).abs() < 1e-12)
         );
-        let told = layout.measured();
-        assert_eq!(told[0][0], "height of the middle of its underside above the base");
-        assert_eq!([0, 1, 2].map(|i| told[i][1].clone()), [z, x, 0.0].map(|m| format!("{} mm", fixed(m * 1e3, 1))));
-        assert_eq!(told[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
+        let measured = layout.measured();
+        assert_eq!(measured[0][0], "height of the middle of its underside above the base");
+        assert_eq!([0, 1, 2].map(|i| measured[i][1].clone()), [z, x, 0.0].map(|m| format!("{} mm", fixed(m * 1e3, 1))));
+        assert_eq!(measured[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
         let turn = layout.yaw.unwrap();
-        assert_eq!(told.last().unwrap()[1], degrees(turn));
+        assert_eq!(measured.last().unwrap()[1], degrees(turn));
     }
 
     /// A line of 0.4 m along the part's x axis about its origin, turned by 30 deg: by hand.
     #[test]
     fn a_path_stands_where_its_origin_and_its_yaw_put_it() {
-        let told = [("path", "line:0.4"), ("robot", "it"), ("force-n", "400"), ("at", "1.7,0.3,0.8,30")];
+        let options = [("path", "line:0.4"), ("robot", "it"), ("force-n", "400"), ("at", "1.7,0.3,0.8,30")];
         let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
-        let asked = Request::read(Verb::Mill, &told.map(pair), Spelling::Typed).unwrap();
+        let asked = Request::read(Verb::Mill, &options.map(pair), Spelling::Typed).unwrap();
         let moves = "line:0.4".parse::<Builtin>().unwrap().moves(None);
         let robot = paper_robots().swap_remove(4);
         let answer = MillAnswer::of(&asked, &robot, ("line:0.4".into(), &moves), None, Watch::nobody()).unwrap();
@@ -399,10 +399,10 @@ mod tests {
         let along: Vec<f64> = (0..3).map(|i| to[i] - from[i]).collect();
         assert!(near([along[0], along[1], along[2]], [0.4 * c, 0.4 * s, 0.0]), "{from:?} {to:?}");
         assert!(line.len() <= MOST_POINTS + 1);
-        let told = layout.measured();
-        let length = |i: usize| told[i][1].as_str();
+        let measured = layout.measured();
+        let length = |i: usize| measured[i][1].as_str();
         assert_eq!([0, 1, 2].map(length), ["800.0 mm", "1700.0 mm", "300.0 mm"]);
         assert_eq!([3, 4].map(length), ["346.4 mm", "200.0 mm"], "0.4 m times cosine and sine");
-        assert_eq!(told[5][1], "30.0 deg");
+        assert_eq!(measured[5][1], "30.0 deg");
     }
 }

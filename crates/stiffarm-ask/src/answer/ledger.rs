@@ -1,4 +1,4 @@
-//! How is the ledger of published numbers told?
+//! How is the ledger of published numbers reported?
 
 use serde_json::Value;
 

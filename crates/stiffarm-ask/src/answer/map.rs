@@ -1,4 +1,4 @@
-//! How is a map told?
+//! How is a map reported?
 
 use std::fmt::Write as _;
 

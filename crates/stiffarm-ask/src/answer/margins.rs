@@ -1,4 +1,4 @@
-//! How is told what every place keeps?
+//! What does every place keep?
 
 use super::angles::degrees;
 use super::{Record, field};
@@ -9,7 +9,7 @@ use stiffarm::robot::{Arm, Robot};
 /// Where a zone of one robot may stand.
 pub(super) fn window(options: &PlaceOptions, model: &ModelKind, robot: &Robot) -> Within {
     let within = options.within(model);
-    // Where nothing is left, what was asked for is told, and why there is no place.
+    // Where nothing is left, the answer says what was asked for, and why there is no place.
     options.margins.part_of(within, robot).unwrap_or(within)
 }
 

@@ -1,4 +1,4 @@
-//! What is told? Every answer once: its fields, its verdict, its sentences. Every face prints from here.
+//! What does an answer hold? Every answer once: its fields, its verdict, its sentences. Every face prints from here.
 //!
 //! A [`Record`] holds fields with their values; [`Rows`] are typed columns for spreadsheets and data frames; a [`Table`] is
 //! what people read. A number is the same to the last bit wherever it is shown, and every position counts from the robot's base:
@@ -75,11 +75,11 @@ pub use tip::TipFile;
 pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
 pub use verify::{VerifyAnswer, VerifyRankAnswer};
 
-/// Keys in the order in which they are told.
+/// Keys in the order in which they are written.
 type Object = serde_json::Map<String, Value>;
 
 /// The version of what keys and columns mean. 1 (before 0.2.0): planar positions counted from the joint-2 axis, and keys were
-/// left out where nothing was known. 2: every position counts from the robot's base, and every key is told.
+/// left out where nothing was known. 2: every position counts from the robot's base, and every key is written.
 pub const SCHEMA: usize = 2;
 
 /// What every position in an answer counts from; of a robot of which only two links are known, from their joint-2 axis.

@@ -1,4 +1,4 @@
-//! How is it told how an arm swings?
+//! How does an arm swing? The answer as fields and as text.
 
 use serde_json::{Value, json};
 use stiffarm::limits::Pendant;
@@ -22,14 +22,14 @@ pub struct ModesAnswer {
     pub tool: HeldTool,
     /// A damping that was given.
     pub damping: Option<Damping>,
-    /// How many modes are told.
+    /// How many modes are reported.
     pub count: usize,
     /// What was found.
     pub swing: Swing,
 }
 
 impl ModesAnswer {
-    /// Those that are told.
+    /// Those that are reported.
     pub fn modes(&self) -> &[Mode] {
         &self.swing.modes[..self.count.min(self.swing.modes.len())]
     }

@@ -1,4 +1,4 @@
-//! How is it told how an arm swings over a zone?
+//! How does an arm swing over a zone? The answer as fields and as text.
 
 use serde_json::{Value, json};
 use stiffarm::limits::Pendant;
@@ -27,14 +27,14 @@ pub struct ModesOverAnswer {
     pub best: Placement,
     /// With what.
     pub tool: HeldTool,
-    /// How many modes are told.
+    /// How many modes are reported.
     pub count: usize,
     /// What was found.
     pub over: SwingOverZone,
 }
 
 impl ModesOverAnswer {
-    /// Those that are told.
+    /// Those that are reported.
     pub fn modes(&self) -> &[ModeOverZone] {
         &self.over.modes[..self.count.min(self.over.modes.len())]
     }

@@ -1,4 +1,4 @@
-//! What is told of a toolpath before anything is milled: what was understood, assumed and ignored.
+//! What is reported of a toolpath before anything is milled: what was understood, assumed and ignored.
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
@@ -17,7 +17,7 @@ pub struct PathAnswer {
     pub survey: Survey,
 }
 
-/// Two corners of a box as they are told.
+/// Two corners of a box as they are reported.
 pub(super) fn corners([a, b]: [Vector3<f64>; 2]) -> [f64; 6] {
     [a.x, a.y, a.z, b.x, b.y, b.z]
 }
@@ -32,18 +32,18 @@ impl PathAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { path, understood, survey } = self;
-        let told = understood.as_ref();
+        let understood = understood.as_ref();
         let mut record = Record::of(&shape::TOOLPATH);
         record
             .put(field::PATH, path)
-            .put(field::PATH_FORMAT, told.map_or("built-in", |told| told.format.name()))
-            .put(field::LINES, told.map(|told| told.lines))
+            .put(field::PATH_FORMAT, understood.map_or("built-in", |read| read.format.name()))
+            .put(field::LINES, understood.map(|read| read.lines))
             .put(field::FEED_LENGTH, survey.feed_length)
             .put(field::RAPID_LENGTH, survey.rapid_length)
             .put(field::FEED_MOVES, survey.feed_moves)
             .put(field::RAPID_MOVES, survey.rapid_moves)
             .put(field::TOOLS, survey.tools.iter().map(|(tool, _)| json!(tool)).collect::<Value>())
-            .put(field::APART, told.map_or(0, |told| told.apart))
+            .put(field::APART, understood.map_or(0, |read| read.apart))
             .put(field::ARCS, survey.arcs)
             .put(field::FULL_CIRCLES, survey.full_circles)
             .put(field::ARC_LENGTH, survey.arc_length)
@@ -55,9 +55,9 @@ impl PathAnswer {
             .put(field::AXIS_TURN, survey.turn)
             .put(field::SAMPLES_OF_PATH, survey.samples)
             .put(field::CHORD_ERROR, survey.chord_error)
-            .put(field::ARC_MISS, told.map_or(0.0, |told| told.arc_miss))
-            .put(field::ASSUMED, told.map_or_else(|| json!([]), |told| json!(told.assumed)))
-            .put(field::IGNORED, told.map_or_else(|| json!([]), |told| json!(told.ignored)));
+            .put(field::ARC_MISS, understood.map_or(0.0, |read| read.arc_miss))
+            .put(field::ASSUMED, understood.map_or_else(|| json!([]), |read| json!(read.assumed)))
+            .put(field::IGNORED, understood.map_or_else(|| json!([]), |read| json!(read.ignored)));
         record
     }
 
@@ -77,7 +77,7 @@ impl PathAnswer {
         let mm = |metres: f64| fixed(metres * 1e3, 3);
         let how = understood
             .as_ref()
-            .map_or("built in".into(), |told| format!("{}, {} lines", told.format.name(), told.lines));
+            .map_or("built in".into(), |read| format!("{}, {} lines", read.format.name(), read.lines));
         let mut lines: Vec<Line> = vec![
             line("path", path),
             line("read as", how),
@@ -88,16 +88,16 @@ impl PathAnswer {
             ),
             line("rapid moves", format!("{}, {} mm", survey.rapid_moves, mm(survey.rapid_length))),
         ];
-        if let Some(told) = understood.as_ref().filter(|told| 0 < told.apart) {
+        if let Some(read) = understood.as_ref().filter(|read| 0 < read.apart) {
             lines
-                .push(line("not of the path", format!("{} moves to or from where only the machine knows", told.apart)));
+                .push(line("not of the path", format!("{} moves to or from where only the machine knows", read.apart)));
         }
         for (names, extent) in [
             (["extent of feed moves x", "y", "z"], survey.extent),
             (["rapid moves end at x", "y", "z"], survey.rapid_extent),
         ] {
-            let told = extent.map(within).into_iter().flatten();
-            lines.extend(names.into_iter().zip(told).map(|(name, told)| line(name, told)));
+            let sides = extent.map(within).into_iter().flatten();
+            lines.extend(names.into_iter().zip(sides).map(|(name, side)| line(name, side)));
         }
         let per_minute = |feed: f64| fixed(feed * 60e3, 1);
         lines.push(match survey.feeds {
@@ -119,8 +119,8 @@ impl PathAnswer {
             lines.push(line("tools", tools(&survey.tools)));
         }
         for (name, of) in [
-            ("assumed", |told: &Understood| told.assumed.clone()),
-            ("ignored", |told: &Understood| told.ignored.clone()),
+            ("assumed", |read: &Understood| read.assumed.clone()),
+            ("ignored", |read: &Understood| read.ignored.clone()),
         ] as [(&str, fn(&Understood) -> Vec<String>); 2]
         {
             let all = understood.as_ref().map(of).unwrap_or_default();

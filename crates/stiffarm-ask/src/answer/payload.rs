@@ -11,7 +11,7 @@ use stiffarm::robot::{Arm, Robot};
 /// What is at the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FlangeLoad {
-    /// The weight of the tool, where it is told.
+    /// The weight of the tool, where it is given.
     pub(super) tool: Option<ToolWeight>,
     /// Where the force acts, in the flange frame, m; `None` where the model has no tool.
     pub(super) tip: Option<Vector3<f64>>,
@@ -32,7 +32,7 @@ pub(super) struct Carried {
 struct Payload {
     /// Nominal, kg.
     nominal: f64,
-    /// Mass of the tool, kg, where it is told.
+    /// Mass of the tool, kg, where it is given.
     tool: Option<f64>,
     /// The mass that weighs as much as the force pushes, kg.
     force: f64,
@@ -87,7 +87,7 @@ impl Payload {
 }
 
 impl Wrist {
-    /// `None` where nothing is to be told: of two links alone, and where neither a limit nor the tool's mass centre is known.
+    /// `None` where nothing is to be stated: of two links alone, and where neither a limit nor the tool's mass centre is known.
     fn of(robot: &Robot, FlangeLoad { tool, tip, newtons }: FlangeLoad) -> Option<Self> {
         let Arm::SixAxis { geometry, drives, .. } = &robot.arm else { return None };
         let limits = drives.motors.wrist_limit();
@@ -139,21 +139,21 @@ impl Carried {
 
     /// For people.
     pub(super) fn lines(self) -> impl Iterator<Item = Line> {
-        self.each().map(|(name, told)| line(name, told))
+        self.each().map(|(name, text)| line(name, text))
     }
 
     /// As sentences.
     pub(super) fn sentences(self) -> impl Iterator<Item = String> {
-        self.each().map(|(name, told)| format!("{}{}: {told}.", name[..1].to_uppercase(), &name[1..]))
+        self.each().map(|(name, text)| format!("{}{}: {text}.", name[..1].to_uppercase(), &name[1..]))
     }
 
     /// What is exceeded, after the name of each.
     pub(super) fn exceeded(self) -> Option<String> {
         let payload = self.payload.filter(|payload| payload.is_exceeded());
         let wrist = self.wrist.filter(|wrist| wrist.exceeded().is_some());
-        let told: Vec<String> =
-            Self { payload, wrist, ..self }.each().map(|(name, told)| format!("{name} {told}")).collect();
-        (!told.is_empty()).then(|| told.join("; "))
+        let exceeded: Vec<String> =
+            Self { payload, wrist, ..self }.each().map(|(name, text)| format!("{name} {text}")).collect();
+        (!exceeded.is_empty()).then(|| exceeded.join("; "))
     }
 
     /// As fields.
@@ -182,13 +182,13 @@ mod tests {
 
     /// By hand: 1000 N weigh as much as 102 kg.
     #[test]
-    fn tool_and_force_are_told_against_the_payload() {
+    fn tool_and_force_are_compared_with_the_payload() {
         let robot = Robot { payload_kg: Some(120.0), ..paper_robots().swap_remove(4) };
         let of = |tool: Option<f64>, newtons: f64| held(tool, None, newtons).by(&robot);
         assert!(!of(Some(18.0), 1000.0).is_exceeded() && of(Some(18.1), 1000.0).is_exceeded());
         assert!(of(None, 1177.0).is_exceeded() && !of(None, 1176.7).is_exceeded());
-        let told = "Payload: 120 kg: EXCEEDED; tool of 25 kg, and a force as large as the weight of 102 kg.";
-        assert_eq!(of(Some(25.0), 1000.0).sentences().next().as_deref(), Some(told));
+        let expected = "Payload: 120 kg: EXCEEDED; tool of 25 kg, and a force as large as the weight of 102 kg.";
+        assert_eq!(of(Some(25.0), 1000.0).sentences().next().as_deref(), Some(expected));
         let nothing = Robot { payload_kg: None, ..robot.clone() };
         assert_eq!(held(Some(25.0), None, 1000.0).by(&nothing).sentences().next(), None);
     }
@@ -196,7 +196,7 @@ mod tests {
     /// By hand: the flange is 0.215 m from the wrist centre, the tip 0.465; limits 2274, 1398 and 782 N m. 60 kg at 0.1 and 0.2 m:
     /// `hypot(0.1, 0.415)` = 0.42688 m and 0.1 m of 588.399 N.
     #[test]
-    fn moments_about_the_wrist_are_told_against_its_limits() {
+    fn moments_about_the_wrist_are_compared_with_its_limits() {
         let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
         let wrist = |held: FlangeLoad| held.by(&robot).wrist.map(Wrist::in_words);
         assert_eq!(

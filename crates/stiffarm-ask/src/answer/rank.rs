@@ -1,4 +1,4 @@
-//! How is a ranking told?
+//! How is a ranking reported?
 
 mod notes;
 mod robots;
@@ -101,7 +101,7 @@ impl RankAnswer {
 
     fn robots(&self) -> Datum {
         let ranks = self.ranks();
-        let told = self.ranking.rows.iter().zip(&self.chances).enumerate().map(|(at, (row, chances))| {
+        let rows = self.ranking.rows.iter().zip(&self.chances).enumerate().map(|(at, (row, chances))| {
             let mut record = Record::of(&shape::RANKING_ROW);
             stiffness::put_robot(&mut record, &row.robot);
             record.extend(self.standing(row));
@@ -109,7 +109,7 @@ impl RankAnswer {
             record.put(field::CELLS, self.cells(at, &ranks).collect::<Datum>());
             record
         });
-        told.collect()
+        rows.collect()
     }
 
     /// Of every task: the rank of every row in it alone.
@@ -161,7 +161,7 @@ impl RankAnswer {
 
     fn winners(&self) -> Datum {
         let Ranking { tasks, .. } = &self.ranking;
-        let told = tasks.iter().enumerate().map(|(task, asked)| {
+        let winners = tasks.iter().enumerate().map(|(task, asked)| {
             let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
             let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
             let best = self.ranking.best_published(task);
@@ -170,14 +170,14 @@ impl RankAnswer {
             record
                 .put(field::TASK, &asked.label)
                 .put(field::BEST, name(best))
-                .put(field::TOLD_APART, best.map(|_| rivals.is_empty()))
+                .put(field::DISTINGUISHED, best.map(|_| rivals.is_empty()))
                 .put(field::RIVALS, json!(rivals))
                 .put(field::BEST_WITH_ESTIMATED, name(self.ranking.best(task, |_| true)))
                 .put(field::BEST_SERIAL, of(Architecture::Serial))
                 .put(field::BEST_QUASI_SERIAL, of(Architecture::QuasiSerial));
             record
         });
-        told.collect()
+        winners.collect()
     }
 
     /// One row per robot and task, for a spreadsheet.
@@ -235,12 +235,12 @@ impl RankAnswer {
                 cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
             }
             cells.extend((0..tasks.len()).map(|task| self.cell(at, task, &rivals[task])));
-            for told in (0..tasks.len()).map(|task| placed(row, task)) {
-                match told {
+            for place in (0..tasks.len()).map(|task| placed(row, task)) {
+                match place {
                     None if is_several => cells.push("-".into()),
                     None => cells.extend(vec!["-".to_owned(); 3]),
                     Some([x, z, margin]) if is_several => cells.push(format!("x {x}, z {z}; {margin}")),
-                    Some(told) => cells.extend(told),
+                    Some(place) => cells.extend(place),
                 }
             }
             cells.push(row.mean_ratio.map_or_else(|| "-".into(), |ratio| fixed(ratio, 3)));
@@ -320,9 +320,14 @@ impl RankAnswer {
             ModelKind::Spatial(tool) => {
                 let elevation = super::cell::elevation(&self.options);
                 if let Some(cell) = &self.options.cell {
-                    let told = super::cell::lines(cell, &self.options.within(&self.ranking.model));
-                    let told: Vec<String> = told.iter().map(|[name, says]| format!("{name}: {says}")).collect();
-                    return format!("{}, tool {}; {}", words::direction(elevation), words::tool(tool), told.join("; "));
+                    let lines = super::cell::lines(cell, &self.options.within(&self.ranking.model));
+                    let parts: Vec<String> = lines.iter().map(|[name, says]| format!("{name}: {says}")).collect();
+                    return format!(
+                        "{}, tool {}; {}",
+                        words::direction(elevation),
+                        words::tool(tool),
+                        parts.join("; ")
+                    );
                 }
                 format!("{}, tool {}; zones within {within}", words::direction(elevation), words::tool(tool))
             }

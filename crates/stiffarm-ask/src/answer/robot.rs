@@ -1,4 +1,4 @@
-//! How is a robot told?
+//! How is a robot reported?
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! How stiff are the drives, and who says so? In the same words wherever a deflection is told.
+//! How stiff are the drives, and who says so? In the same words wherever a deflection is reported.
 
 use super::numbers::{digits, fixed};
 use super::{Record, field, uncertainty};
@@ -10,8 +10,8 @@ use stiffarm::robot::{Arm, Robot, StiffnessSource};
 pub(super) const LINE: &str = "stiffness";
 /// So many robots of one stiffness are named; more are counted.
 const MOST_NAMED: usize = 3;
-/// So many stiffnesses are told in a heading; more are counted.
-const MOST_TOLD: usize = 4;
+/// So many stiffnesses stand in a heading; more are counted.
+const MOST_STIFFNESSES: usize = 4;
 
 /// Of one robot: `1 urad/(N m) assumed on every drive`.
 pub fn stiffness(robot: &Robot) -> String {
@@ -27,7 +27,7 @@ pub fn stiffness(robot: &Robot) -> String {
         (false, false) => "the drives 1-6",
     };
     let is_papers = is_uniform && urad[0] == microradians(JointCompliance::PAPER.0[0]);
-    let told = match robot.stiffness_source() {
+    let text = match robot.stiffness_source() {
         StiffnessSource::Assumed if is_papers => format!("{values} urad/(N m) assumed on {drives}"),
         StiffnessSource::Assumed => format!("{values} urad/(N m) on {drives}, partly assumed"),
         StiffnessSource::File => format!("{values} urad/(N m) on {drives}, from the robot file"),
@@ -36,7 +36,7 @@ pub fn stiffness(robot: &Robot) -> String {
             format!("{values} urad/(N m) on {drives}, the prior by payload and reach, {}", within(robot))
         }
         StiffnessSource::Published => {
-            let differ = uncertainty::disagreement(robot).map_or_else(String::new, |told| format!("; {told}"));
+            let differ = uncertainty::disagreement(robot).map_or_else(String::new, |sentence| format!("; {sentence}"));
             format!("{values} urad/(N m) on {drives}, as published, {}{differ}", within(robot))
         }
         StiffnessSource::Given if is_uniform && 0.0 < urad[0] => {
@@ -45,12 +45,12 @@ pub fn stiffness(robot: &Robot) -> String {
         StiffnessSource::Given => format!("given: {values} urad/(N m) on {drives}"),
     };
     let compensated = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
-    if compensated { format!("{told}; drive 2 with its gravity compensator") } else { told }
+    if compensated { format!("{text}; drive 2 with its gravity compensator") } else { text }
 }
 
 /// Who says how stiff the drives of some robots are, each once.
 pub(super) fn sources<'a>(robots: impl Iterator<Item = &'a Robot>) -> String {
-    let mut told: Vec<String> = Vec::new();
+    let mut stated: Vec<String> = Vec::new();
     for robot in robots {
         let says = match robot.stiffness_source() {
             StiffnessSource::Assumed => stiffness(robot),
@@ -60,11 +60,11 @@ pub(super) fn sources<'a>(robots: impl Iterator<Item = &'a Robot>) -> String {
             StiffnessSource::Published => "drive stiffness as published".into(),
             StiffnessSource::Given => "drive stiffness as given".into(),
         };
-        if !told.contains(&says) {
-            told.push(says);
+        if !stated.contains(&says) {
+            stated.push(says);
         }
     }
-    told.join(" or ")
+    stated.join(" or ")
 }
 
 /// By which factors 90 % of drives differ from that.
@@ -104,28 +104,28 @@ pub fn stiffnesses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
         robots.iter().filter(|robot| are_several && robot.scatter().is_some()).map(|robot| factors(robot)).collect();
     for robot in robots {
         // Numbers of one robot are of use; of many, who says so.
-        let told = match robot.stiffness_source() {
+        let text = match robot.stiffness_source() {
             StiffnessSource::Published if are_several => "drives as published".to_owned(),
             StiffnessSource::Prior if are_several => "drives by the prior for payload and reach".into(),
             _ => stiffness(robot),
         };
-        match groups.iter_mut().find(|(known, _)| *known == told) {
+        match groups.iter_mut().find(|(known, _)| *known == text) {
             Some((_, names)) => names.push(&robot.name),
-            None => groups.push((told, vec![&robot.name])),
+            None => groups.push((text, vec![&robot.name])),
         }
     }
-    if let [(told, _)] = groups.as_slice()
+    if let [(text, _)] = groups.as_slice()
         && scattered.is_empty()
     {
-        return told.clone();
+        return text.clone();
     }
-    let more: usize = groups.iter().skip(MOST_TOLD).map(|(_, names)| names.len()).sum();
-    let mut told: Vec<String> =
-        groups.iter().take(MOST_TOLD).map(|(told, names)| format!("{told} ({})", of(names))).collect();
+    let more: usize = groups.iter().skip(MOST_STIFFNESSES).map(|(_, names)| names.len()).sum();
+    let mut parts: Vec<String> =
+        groups.iter().take(MOST_STIFFNESSES).map(|(text, names)| format!("{text} ({})", of(names))).collect();
     if 0 < more {
-        told.push(format!("others on {more} more (`stiffarm robots show NAME`)"));
+        parts.push(format!("others on {more} more (`stiffarm robots show NAME`)"));
     }
-    let named = told.join("; ");
+    let named = parts.join("; ");
     if scattered.is_empty() {
         return named;
     }

@@ -1,4 +1,4 @@
-//! How is a study told?
+//! How is a study reported?
 
 use serde_json::{Value, json};
 
@@ -31,7 +31,7 @@ impl StudyAnswer {
 
     fn boundaries(&self) -> Datum {
         let Study { options, boundaries, .. } = &self.0;
-        let told = boundaries.iter().map(|boundary| {
+        let records = boundaries.iter().map(|boundary| {
             let mut record = Record::of(&shape::BOUNDARY);
             record
                 .put(field::TASK, &options.tasks[boundary.task].label)
@@ -41,7 +41,7 @@ impl StudyAnswer {
                 .put(field::BETTER_ABOVE, options.name(1 - boundary.below));
             record
         });
-        told.collect()
+        records.collect()
     }
 
     /// Where a robot with its work stands.
@@ -143,7 +143,7 @@ impl StudyAnswer {
         if self.0.boundaries.is_empty() {
             return format!("{marked}The order does not change with the size.\n");
         }
-        self.0.boundaries.iter().fold(marked, |told, boundary| told + &self.boundary(boundary))
+        self.0.boundaries.iter().fold(marked, |text, boundary| text + &self.boundary(boundary))
     }
 
     fn boundary(&self, boundary: &Boundary) -> String {

@@ -1,4 +1,4 @@
-//! How is it told what was measured at a tip, and what is known beside it?
+//! What was measured at a tip, and what is known beside it?
 
 use stiffarm::chatter::{Chatter, HeldBy, Looked, MeasuredTip};
 

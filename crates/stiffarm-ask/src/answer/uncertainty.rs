@@ -1,4 +1,4 @@
-//! How is it told how sure deflections and ranks are?
+//! How sure are deflections and ranks?
 
 use super::numbers::fixed;
 use super::{Line, Record, Unit, field, line};

@@ -34,8 +34,8 @@ pub struct Verdict {
 impl Verdict {
     /// Of a deflection, m, against a tolerance, mm, at the nominal stiffness.
     pub fn of(deflection: f64, tolerance_mm: f64) -> Self {
-        let told = Unit::Millimetre.of_si(deflection);
-        let (passes, margin_mm) = (told <= tolerance_mm, tolerance_mm - told);
+        let deflection_mm = Unit::Millimetre.of_si(deflection);
+        let (passes, margin_mm) = (deflection_mm <= tolerance_mm, tolerance_mm - deflection_mm);
         Self { passes, margin_mm, probability: None, is_of_drives_alone: false }
     }
 
@@ -85,7 +85,7 @@ impl Verdict {
     }
 }
 
-/// Never more than it is: what is not sure is not told as 95 %.
+/// Never more than it is: what is not sure is not given as 95 %.
 pub(super) fn percent(probability: f64) -> String {
     format!("{} %", fixed((100.0 * probability + 1e-9).floor(), 0))
 }
@@ -116,9 +116,9 @@ mod tests {
             (2.000_001, Some(0.45), "fail", "fail (P = 45 %)"),
             (2.000_001, None, "fail", "fail"),
         ];
-        for (mm, probability, word, told) in cases {
+        for (mm, probability, word, expected) in cases {
             let verdict = Verdict::of(mm / 1e3, 2.0).with(probability);
-            assert_eq!((verdict.word(), verdict.in_words().as_str()), (word, told));
+            assert_eq!((verdict.word(), verdict.in_words().as_str()), (word, expected));
         }
         assert_eq!(Verdict::of(1.8e-3, 2.0).with(Some(0.97)).short(), "pass +0.200, P 97 %");
         assert_eq!(Verdict::of(1.8e-3, 2.0).nominal(), "pass");
@@ -126,14 +126,14 @@ mod tests {
 
     /// By hand: 1 arc minute is 1/60 deg; a cantilever bends by F L^3 / (3 E I), with I = pi d^4 / 64.
     #[test]
-    fn what_comes_on_top_is_as_large_as_it_is_told() {
+    fn what_comes_on_top_is_as_large_as_it_is_stated() {
         let of_a_metre = (1.0_f64 / 60.0).to_radians();
         let inertia = std::f64::consts::PI * 0.01_f64.powi(4) / 64.0;
         let bends = 300.0 * 0.04_f64.powi(3) / (3.0 * 600e9 * inertia);
         let grows = 2.0 * 23e-6 * 10.0;
-        for (metres, told, says) in [(of_a_metre, "0.29 mm", 0), (grows, "0.46 mm", 2), (bends, "0.02 mm", 3)] {
-            assert_eq!(format!("{:.2} mm", metres * 1e3), told);
-            assert!(ON_TOP[says].contains(told));
+        for (metres, expected, says) in [(of_a_metre, "0.29 mm", 0), (grows, "0.46 mm", 2), (bends, "0.02 mm", 3)] {
+            assert_eq!(format!("{:.2} mm", metres * 1e3), expected);
+            assert!(ON_TOP[says].contains(expected));
         }
     }
 }

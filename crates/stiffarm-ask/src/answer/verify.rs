@@ -34,8 +34,8 @@ pub struct VerifyRankAnswer {
     pub rows: usize,
 }
 
-/// So many robots are told.
-const TOLD: usize = 10;
+/// So many robots are shown.
+const MOST_SHOWN: usize = 10;
 
 impl VerifyAnswer {
     /// As JSON.
@@ -86,11 +86,11 @@ impl VerifyAnswer {
             lines.push(line(format!("base{which}"), format!("in the frame of the readings at {}", placed(base))));
         }
         if as_file.agrees() {
-            let told = match &as_file.tool {
+            let at = match &as_file.tool {
                 Some(tool) => placed(tool),
                 None => as_file.points.iter().map(three).collect::<Vec<_>>().join("; ") + " mm",
             };
-            lines.push(line("tool", format!("in the flange frame at {told}")));
+            lines.push(line("tool", format!("in the flange frame at {at}")));
         }
         Table::of_lines(lines).led_by(
             ["verdict", "readings"],
@@ -152,7 +152,7 @@ impl VerifyRankAnswer {
 
     /// The best of them.
     pub fn table(&self) -> Table {
-        table(&self.fits[..self.fits.len().min(TOLD)])
+        table(&self.fits[..self.fits.len().min(MOST_SHOWN)])
     }
 
     /// Which it is.

@@ -35,7 +35,7 @@ pub fn class(robot: &Robot) -> String {
 pub fn pendant(robot: &Robot) -> Option<String> {
     (robot.pendant()? == &Pendant::Unknown).then(|| {
         format!(
-            "joints are told as the robot file of {} counts them; it is not known whether its pendant shows the same zeros, signs and joint 3: compare before you type them",
+            "joints are given as the robot file of {} counts them; it is not known whether its pendant shows the same zeros, signs and joint 3: compare before you type them",
             robot.name
         )
     })
@@ -46,7 +46,7 @@ pub fn pendant_note(robot: &Robot) -> String {
     pendant(robot).map_or_else(String::new, |remark| remark + "\n")
 }
 
-/// Of which joints angles are told, and what joint 3 counts from where that is not the upper arm.
+/// Of which joints the angles are given, and what joint 3 counts from where that is not the upper arm.
 pub fn joints_reported(robot: &Robot) -> &'static str {
     match &robot.arm {
         Arm::SixAxis { limits, .. } if limits.third_axis == ThirdAxis::Forearm => {
@@ -57,7 +57,7 @@ pub fn joints_reported(robot: &Robot) -> &'static str {
 }
 
 /// How well its lengths and limits are known. A robot file says `data-sheet` of all that is published of this very model; where that is a
-/// robot description, it is told so.
+/// robot description, this says so.
 pub fn status(robot: &Robot) -> &'static str {
     match robot.status {
         Status::DataSheet if is_described(robot) => "description",

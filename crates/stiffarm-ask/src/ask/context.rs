@@ -22,7 +22,7 @@ pub trait Listener: Sync {
     /// Hears what must not be missed.
     fn warn(&self, text: &str);
 
-    /// Has a work done, and may be told how far it is. Called on the thread that asks; `work` must be called once.
+    /// Has a work done, and may hear how far it is. Called on the thread that asks; `work` must be called once.
     fn watch(&self, doing: &'static str, work: &mut dyn FnMut(Watch));
 
     /// Is an answer still wanted? Asked between short works.
@@ -46,7 +46,7 @@ pub struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// Has a work done, of which the listener is told how far it is.
+    /// Has a work done, and lets the listener hear how far it is.
     pub(super) fn watched<T>(&self, doing: &'static str, work: impl FnOnce(Watch) -> T) -> T {
         let (mut work, mut found) = (Some(work), None);
         self.listener.watch(doing, &mut |watch| found = work.take().map(|work| work(watch)));

@@ -92,12 +92,12 @@ impl Answer for MillOutput<'_> {
     fn lobes(&self) -> Option<Result<String, AskError>> {
         let nothing = || {
             let why = match &self.answer.chatter {
-                None => "nothing to draw: lobes are told with --chatter, of a path that is followed",
+                None => "nothing to draw: lobes are computed with --chatter, of a path that is followed",
                 Some(_) => "nothing to draw: no cut of the path is covered",
             };
             AskError::Figure(why.into())
         };
-        let worst = self.answer.chatter.as_ref().and_then(|told| told.worst.as_ref());
+        let worst = self.answer.chatter.as_ref().and_then(|chatter| chatter.worst.as_ref());
         Some(worst.map(|(_, found)| lobes::svg(found, &self.figure_size)).ok_or_else(nothing))
     }
 

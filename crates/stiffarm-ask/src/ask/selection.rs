@@ -43,7 +43,7 @@ pub fn robots(wanted: &[String], context: Context) -> Result<Vec<Robot>, AskErro
             }
         }
     }
-    Ok(told_apart(found, context))
+    Ok(distinguished(found, context))
 }
 
 /// Those that have all that is asked for, in their order.
@@ -69,7 +69,7 @@ impl From<Robot> for Found {
 }
 
 /// Puts the file's path behind the name of every robot that another one is named like.
-fn told_apart(found: Vec<Found>, context: Context) -> Vec<Robot> {
+fn distinguished(found: Vec<Found>, context: Context) -> Vec<Robot> {
     let names: Vec<String> = found.iter().map(|one| one.robot.full_name()).collect();
     let mut robots = Vec::new();
     for (Found { mut robot, file }, name) in found.into_iter().zip(&names) {

@@ -134,18 +134,18 @@ impl BarsFigure {
                 continue;
             };
             let x = axis.at(found).clamp(left, end);
-            let mut told = format!("{}, {name}: {found:.3} mm; proved lower bound {bound:.3} mm", row.robot);
+            let mut tooltip = format!("{}, {name}: {found:.3} mm; proved lower bound {bound:.3} mm", row.robot);
             if let Some([low, median, high]) = interval(row) {
-                let _ = write!(told, "; 90 % interval {low:.3} .. {high:.3} mm, median {median:.3} mm");
+                let _ = write!(tooltip, "; 90 % interval {low:.3} .. {high:.3} mm, median {median:.3} mm");
             }
             if let Some(verdict) = row.verdicts.get(task).and_then(Option::as_ref) {
-                let _ = write!(told, "; {verdict}");
+                let _ = write!(tooltip, "; {verdict}");
             }
             let collides = row.collides[task];
             if collides {
-                told += "; COLLISION";
+                tooltip += "; COLLISION";
             }
-            canvas.with_tooltip(&told, |canvas| {
+            canvas.with_tooltip(&tooltip, |canvas| {
                 canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &style(row.colour(), row.estimated));
             });
             if collides {
@@ -180,7 +180,7 @@ impl BarsFigure {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let told_apart = self.rows.iter().any(|row| row.style.is_some());
+        let has_styles = self.rows.iter().any(|row| row.style.is_some());
         let bar = |text: &str, colours: Vec<&'static str>, estimated: bool| {
             Entry::new(text, move |canvas, [x, y]| {
                 let width = 30.0 / colours.len() as f64;
@@ -196,7 +196,7 @@ impl BarsFigure {
         {
             for (estimated, suffix) in [(false, ""), (true, ", estimated")] {
                 if self.rows.iter().any(|row| row.serial == serial && row.estimated == estimated) {
-                    let (warm, colours) = if told_apart {
+                    let (warm, colours) = if has_styles {
                         (if serial { " (warm)" } else { " (cool)" }, curves[..3].to_vec())
                     } else {
                         ("", vec![colour])

@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn an_outline_ends_where_it_is_told() {
+    fn an_outline_ends_at_the_true_edge() {
         let disc = cone(|x, y| x.hypot(y) <= 15.0);
         let true_edge = |inside: [i64; 2], outside: [i64; 2]| {
             let at = |share: f64| [0, 1].map(|k| inside[k] as f64 + share * (outside[k] - inside[k]) as f64);

@@ -124,8 +124,8 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     for one in rows {
         let at = one.row as f64;
         let after = 1e3 * one.after.norm();
-        let told = format!("row {}: moved {:.3} mm, {after:.3} mm not explained", one.row, mm(one));
-        canvas.with_tooltip(&told, |canvas| {
+        let tooltip = format!("row {}: moved {:.3} mm, {after:.3} mm not explained", one.row, mm(one));
+        canvas.with_tooltip(&tooltip, |canvas| {
             canvas.line(frame.at(at, 0.0), frame.at(at, mm(one)), &format!(r#"stroke="{FAINT}" stroke-width="4""#));
             canvas.line(frame.at(at, 0.0), frame.at(at, after), &format!(r#"stroke="{DEFLECTION}" stroke-width="4""#));
         });

@@ -31,7 +31,7 @@ pub(crate) struct MapFigure<'a> {
     pub subtitle: String,
     /// What is drawn, such as deflections, m.
     pub map: &'a Mapped,
-    /// The unit in which its values are told.
+    /// The unit in which its values are shown.
     pub unit: Unit,
     /// What its colours stand for.
     pub colours: Colours,

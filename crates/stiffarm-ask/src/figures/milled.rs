@@ -13,7 +13,7 @@ use super::legend::{Entry, Legend};
 /// Heights of the diagrams over the way, px.
 const ERROR: f64 = 210.0;
 /// Places along the path of which a pointer tells the error.
-const MOST_TOLD: usize = 240;
+const MOST_TOOLTIPS: usize = 240;
 const ROLLS: f64 = 270.0;
 /// Of the view from above at most, px.
 const ABOVE: f64 = 420.0;
@@ -122,14 +122,14 @@ impl MilledFigure<'_> {
 
     /// What a pointer tells along the way; nothing is seen of it.
     fn tell(&self, canvas: &mut Canvas, found: &Followed, frame: &Frame) {
-        let stride = found.samples.len().div_ceil(MOST_TOLD).max(1);
+        let stride = found.samples.len().div_ceil(MOST_TOOLTIPS).max(1);
         for (station, pushed) in self.answer.stations.iter().zip(&found.samples).step_by(stride) {
             let (sample, error) = (&station.sample, pushed.error * 1e3);
             if sample.is_cutting {
                 let line = if sample.line == 0 { String::new() } else { format!("line {}, ", sample.line) };
-                let told = format!("{line}{:.1} mm of the way: {error:.4} mm", sample.way * 1e3);
+                let tooltip = format!("{line}{:.1} mm of the way: {error:.4} mm", sample.way * 1e3);
                 let at = frame.at(sample.way * 1e3, error);
-                canvas.with_tooltip(&told, |canvas| canvas.circle(at, 5.0, r#"fill-opacity="0""#));
+                canvas.with_tooltip(&tooltip, |canvas| canvas.circle(at, 5.0, r#"fill-opacity="0""#));
             }
         }
     }

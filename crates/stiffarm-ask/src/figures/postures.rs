@@ -106,10 +106,10 @@ fn draw(
     let DrawnPosture { runs: [first, last], joint_1, points, markers, load } = posture;
     let name = if first == last { format!("run {first}") } else { format!("runs {first} to {last}") };
     let bold = Font::new(13.0).bold();
-    let (told, expected) = load.as_ref().map_or_else(Default::default, |load| {
-        (format!(": {}", load.told), format!(", {:.2} mm expected", load.expected_mm))
+    let (text, expected) = load.as_ref().map_or_else(Default::default, |load| {
+        (format!(": {}", load.text), format!(", {:.2} mm expected", load.expected_mm))
     });
-    canvas.text([left, top + 10.0], &bold.cut(&format!("{name}{told}"), ROOM), bold);
+    canvas.text([left, top + 10.0], &bold.cut(&format!("{name}{text}"), ROOM), bold);
     let small = Font::new(11.5).colour(GREY);
     canvas.text([left, top + 27.0], &small.cut(&format!("joint 1 at {joint_1:.2}°{expected}"), ROOM), small);
     let top = top + HEAD;

@@ -139,8 +139,8 @@ fn styles(panels: &[Panel]) -> Vec<CurveStyle<'_>> {
         }
     }
     if MOST_WITHOUT_LETTERS < styles.len() {
-        let told_apart = styles.iter_mut().filter(|style| style.robot_style.is_some());
-        told_apart.zip('a'..='z').for_each(|(style, letter)| style.letter = Some(letter));
+        let styled = styles.iter_mut().filter(|style| style.robot_style.is_some());
+        styled.zip('a'..='z').for_each(|(style, letter)| style.letter = Some(letter));
     }
     styles.sort_by_key(|style| !style.serial);
     styles
@@ -247,8 +247,8 @@ fn draw_tolerance(canvas: &mut Canvas, panel: &Panel, frame: &Frame) {
 /// The robots by architecture, then what the other signs mean; returns where it ends.
 fn draw_legends(canvas: &mut Canvas, panels: &[Panel], styles: &[CurveStyle], mut y: f64) -> f64 {
     for (serial, name) in [(true, "serial"), (false, "quasi-serial")] {
-        let told_apart = styles.iter().filter(|style| style.serial == serial && style.robot_style.is_some());
-        let mut entries: Vec<Entry> = told_apart.map(CurveStyle::entry).collect();
+        let styled = styles.iter().filter(|style| style.serial == serial && style.robot_style.is_some());
+        let mut entries: Vec<Entry> = styled.map(CurveStyle::entry).collect();
         let others: Vec<&CurveStyle> =
             styles.iter().filter(|style| style.serial == serial && style.robot_style.is_none()).collect();
         if let Some(first) = others.first() {

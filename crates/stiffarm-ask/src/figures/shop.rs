@@ -20,7 +20,7 @@ const HIGHEST: f64 = 230.0;
 const FOOT: f64 = 0.3;
 /// Of the x axis of a path, px.
 const X_AXIS: f64 = 46.0;
-/// Shorter lengths are told in the table alone, px.
+/// Shorter lengths stand in the table alone, px.
 const SHORTEST: f64 = 3.0;
 
 /// A zone at its place with its lengths.

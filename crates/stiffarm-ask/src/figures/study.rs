@@ -199,8 +199,8 @@ fn draw_mark(canvas: &mut Canvas, frame: &Frame, (mark, contender): (&StudyMark,
     }
     let (mu, size) = mark.at;
     let accuracy = mark.accuracy[contender].map_or_else(|| "no place".into(), |value| format!("{value:.4}"));
-    let told = format!("{}: μ = {mu:.3}, d/(l₂+l₃) = {size:.3}, ε/(kF) = {accuracy}", mark.label);
-    canvas.with_tooltip(&told, |canvas| dot(canvas, frame.at(x, y), contender));
+    let tooltip = format!("{}: μ = {mu:.3}, d/(l₂+l₃) = {size:.3}, ε/(kF) = {accuracy}", mark.label);
+    canvas.with_tooltip(&tooltip, |canvas| dot(canvas, frame.at(x, y), contender));
 }
 
 /// Full for the first contender, open for the second, as their lines are drawn through and dashed.

@@ -209,8 +209,9 @@ mod tests {
             assert_eq!(text.matches("stroke-linejoin").count(), drawn * 2 * 2, "{text}");
             let first = answer.modes()[0];
             let spread = first.spread.unwrap();
-            let told = format!("mode 1: {:.2} Hz (90 %: {:.1} to {:.1} Hz)", first.frequency, spread.p05, spread.p95);
-            assert!(text.contains(&told), "{told}: {text}");
+            let expected =
+                format!("mode 1: {:.2} Hz (90 %: {:.1} to {:.1} Hz)", first.frequency, spread.p05, spread.p95);
+            assert!(text.contains(&expected), "{expected}: {text}");
         }
     }
 

@@ -10,7 +10,7 @@ use stiffarm::task::{Task, Zone};
 use super::{Refusal, Request, Verb, opt};
 
 impl Request {
-    /// What the arm holds: the tool frame, and a body where the tool's mass is told.
+    /// What the arm holds: the tool frame, and a body where the tool's mass is given.
     ///
     /// # Errors
     /// A mass without its centre, or an inertia without a mass.
@@ -80,7 +80,7 @@ impl Request {
         Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping(), measured: measured.cloned() }))
     }
 
-    /// How many modes are told.
+    /// How many modes are reported.
     pub fn mode_count(&self) -> usize {
         self.value(opt::COUNT)
     }

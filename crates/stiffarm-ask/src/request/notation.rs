@@ -300,9 +300,9 @@ pub fn pin(text: &str) -> Result<[f64; 2], String> {
 
 /// The number of the tool before what is said of it, and that: `T1=endmill.toml`; no number where it is said of all.
 pub(super) fn of_tool(text: &str) -> (Option<u32>, &str) {
-    let told = text.trim().split_once('=').and_then(|(tool, what)| Some((tool.trim().strip_prefix('T')?, what)));
+    let numbered = text.trim().split_once('=').and_then(|(tool, what)| Some((tool.trim().strip_prefix('T')?, what)));
     let number = |digits: &str| digits.bytes().all(|digit| digit.is_ascii_digit()).then(|| digits.parse().ok())?;
-    told.and_then(|(tool, what)| Some((Some(number(tool)?), what))).unwrap_or((None, text))
+    numbered.and_then(|(tool, what)| Some((Some(number(tool)?), what))).unwrap_or((None, text))
 }
 
 /// How far a tool of a path stands out, with its number; m.

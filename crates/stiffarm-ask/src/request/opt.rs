@@ -1,4 +1,4 @@
-//! Which options are there, by name and type? What each means, and of which verbs, is told by its rows in [`SETTINGS`](super::SETTINGS).
+//! Which options are there, by name and type? The rows of [`SETTINGS`](super::SETTINGS) say what each means, and of which verbs it is.
 
 use std::marker::PhantomData;
 

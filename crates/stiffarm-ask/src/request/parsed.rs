@@ -118,7 +118,7 @@ impl Request {
         self.all(opt::JOINTS_DEG).try_into().map_err(|_| self.missing(opt::JOINTS_DEG))
     }
 
-    /// Weight of the tool, where it is told.
+    /// Weight of the tool, where it is given.
     pub(super) fn tool_weight(&self) -> Option<ToolWeight> {
         let centre: Result<[f64; 3], _> = self.all(opt::TOOL_COM_MM).try_into();
         let centre = centre.ok().map(|mm| Vector3::from(mm) / 1e3);

@@ -73,10 +73,11 @@ impl Request {
         self.all(opt::TOOL_LENGTHS_MM)
     }
 
-    /// The tip of a tool of the path in the flange frame: it stands out of the spindle where lengths are told, else it is where all of them are.
+    /// The tip of a tool of the path in the flange frame: it stands out of the spindle where lengths are given, else it is where all of
+    /// them are.
     ///
     /// # Errors
-    /// Where lengths are told, and none of this tool.
+    /// Where lengths are given, and none of this tool.
     pub fn tip_of(&self, tool: Option<u32>) -> Result<Pose, Refusal> {
         let (lengths, spindle) = (self.tool_lengths(), self.tool_pose().tool());
         if lengths.is_empty() {
@@ -269,7 +270,7 @@ impl Request {
         Ok(PathGround { margins, within, cell })
     }
 
-    /// Only what was understood of the path is told.
+    /// Only what was understood of the path is reported.
     pub fn is_dry(&self) -> bool {
         self.is_set(opt::DRY)
     }
@@ -352,7 +353,7 @@ impl Request {
     }
 }
 
-/// A tool as it is told.
+/// A tool as texts name it.
 pub(crate) fn tool_name(tool: Option<u32>) -> String {
     tool.map_or_else(|| "cuts for which no tool is named".into(), |tool| format!("T{tool}"))
 }

@@ -30,7 +30,7 @@ pub(crate) struct ServeArgs {
     /// Open the page in the browser
     #[arg(long)]
     pub(crate) open: bool,
-    /// How long an answer may take that is asked for at once, s; longer ones are told line by line
+    /// How long an answer may take that is asked for at once, s; longer ones are sent line by line
     #[arg(long, value_name = "S", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=3600))]
     pub(crate) time_limit_s: u64,
 }

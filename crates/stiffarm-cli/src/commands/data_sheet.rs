@@ -97,8 +97,8 @@ fn radii(robot: &Robot) -> String {
     let (body, is_estimated) = robot.thickness();
     let names = ["column", "upper arm", "forearm", "wrist"];
     let radii = names.iter().zip(<[f64; 4]>::from(body));
-    let told: Vec<String> = radii.map(|(name, m)| format!("{name} {:.0}", Unit::Millimetre.of_si(m))).collect();
-    format!("{} mm{}", told.join(", "), if is_estimated { " (estimated)" } else { "" })
+    let named: Vec<String> = radii.map(|(name, m)| format!("{name} {:.0}", Unit::Millimetre.of_si(m))).collect();
+    format!("{} mm{}", named.join(", "), if is_estimated { " (estimated)" } else { "" })
 }
 
 fn geometry_rows(geometry: &Geometry) -> Lines {

@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_that_is_none_is_told() {
+    fn a_figure_that_is_none_is_refused() {
         let mut odd = report();
         odd.sections[1].figure("no svg".into(), "");
         assert!(matches!(of(&odd), Err(RasterError::Svg(_))));

@@ -36,8 +36,8 @@ pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u
         Wanted::Job => Ok(job::write(asked, &[], Path::new("job.toml")).into_bytes()),
         Wanted::Command => {
             let job = job::write(asked, &[], Path::new("job.toml"));
-            let told = json!({ "command": asked.command(), "python": asked.python(), "job": job });
-            Ok(format!("{told:#}\n").into_bytes())
+            let texts = json!({ "command": asked.command(), "python": asked.python(), "job": job });
+            Ok(format!("{texts:#}\n").into_bytes())
         }
     }
 }
@@ -65,10 +65,10 @@ pub(super) fn without(verb: &str, forms: Forms, form: Form) -> Refused {
 }
 
 /// Every form under its word, null where it is refused, and why in `refused`: a path that is not followed has its table and no figure.
-fn together(told: &dyn Answer, forms: &[Form], asked: &Request) -> Result<Vec<u8>, Refused> {
+fn together(answer: &dyn Answer, forms: &[Form], asked: &Request) -> Result<Vec<u8>, Refused> {
     let (mut parts, mut refused, mut length) = (Vec::new(), Map::new(), 0);
     for &form in forms {
-        let text = match check(asked, form).and_then(|()| written(told, form)) {
+        let text = match check(asked, form).and_then(|()| written(answer, form)) {
             Ok(bytes) if form.is_json() => on_one_line_of_json(&bytes),
             Ok(bytes) => json!(String::from_utf8_lossy(&bytes)).to_string(),
             Err(why) => {
@@ -97,9 +97,9 @@ fn too_large() -> Refused {
 }
 
 /// A form that the answer has.
-pub(super) fn written(told: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
+pub(super) fn written(answer: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
     let mut out = Bounded(Vec::new());
-    let written = write_as(told, form, &mut out);
+    let written = write_as(answer, form, &mut out);
     if MOST_BYTES <= out.0.len() {
         return Err(too_large());
     }

@@ -4,7 +4,7 @@ use stiffarm::plain::on_one_line;
 use stiffarm_ask::forms::Form;
 use stiffarm_ask::request::Verb;
 
-/// What `as` says: a form, several words with commas between them, which are made of one answer, or what is told without computing one.
+/// What `as` says: a form, several words with commas between them, which are made of one answer, or what is given without computing one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
     /// It alone.

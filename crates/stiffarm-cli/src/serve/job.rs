@@ -10,9 +10,9 @@ use crate::failure::Failure;
 
 /// Of `{"name": .., "text": ..}`: `{"verb": .., "options": {..}}`, a list where an option is given several times.
 pub(super) fn understood(body: &[u8]) -> Result<Reply, Refused> {
-    let told = object(body)?;
-    let field = |key: &str| told.get(key).and_then(Value::as_str);
-    let (Some(name), Some(text), 2) = (field("name"), field("text"), told.len()) else {
+    let sent = object(body)?;
+    let field = |key: &str| sent.get(key).and_then(Value::as_str);
+    let (Some(name), Some(text), 2) = (field("name"), field("text"), sent.len()) else {
         return Err(unlike("expected {\"name\": \"job.toml\", \"text\": \"...\"}, and nothing else"));
     };
     check_name(name)?;

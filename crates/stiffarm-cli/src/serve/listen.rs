@@ -30,7 +30,7 @@ const LAST_ANSWERS: Duration = Duration::from_secs(5);
 /// After the system gave no connection.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Takes connections until it is told to end; then lets answers that are under way go out.
+/// Takes connections until it is asked to end; then lets answers that are under way go out.
 pub(super) async fn listen(listener: TcpListener, server: Arc<Server>) {
     let (connections, open) = (Arc::new(Semaphore::new(MOST_CONNECTIONS)), GracefulShutdown::new());
     let mut end = std::pin::pin!(asked_to_end());
@@ -72,7 +72,7 @@ fn connect(stream: TcpStream, permit: OwnedSemaphorePermit, server: &Arc<Server>
     http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME).max_buf_size(MOST_HEAD);
     let connection = open.watch(http.serve_connection(TokioIo::new(patient(stream, TAKING_TIME)), service));
     tokio::spawn(async move {
-        // What fails here is the other's matter: it hung up, was too slow, or spoke no HTTP, which it was told.
+        // What fails here is the other's matter: it hung up, was too slow, or spoke no HTTP, which the reply said.
         let _ = connection.await;
         drop(permit);
     });

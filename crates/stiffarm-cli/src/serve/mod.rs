@@ -39,14 +39,14 @@ use work::Workshop;
 /// What all connections share.
 #[derive(Debug)]
 struct Server {
-    /// The name by which it was told to listen, which a request may call it by.
+    /// The name under which it was asked to listen; a request may call it by that.
     host: String,
     workshop: Arc<Workshop>,
     /// Of an answer that comes at once.
     time_limit: Duration,
 }
 
-/// Serves until it is told to end.
+/// Serves until it is asked to end.
 pub(crate) fn run(args: &ServeArgs, common: &Common) -> Result<(), Failure> {
     let server = Server {
         host: args.host.clone(),

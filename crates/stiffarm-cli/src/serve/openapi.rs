@@ -240,14 +240,14 @@ fn job() -> Value {
     of_file("What a job file asks: its verb, and every option as it is typed", &asked)
 }
 
-/// Something that is told of a file, which is sent with its name.
+/// An operation that answers about a file, which is sent with its name.
 fn of_file(about: &str, schema: &Value) -> Value {
     let text = || json!({ "type": "string" });
     let mut question = json!({ "type": "object", "additionalProperties": false, "required": ["name", "text"] });
     question["properties"] = json!({ "name": text(), "text": text() });
-    let mut told = operation(about, &[], schema);
-    told["requestBody"] = json!({ "required": true, "content": { "application/json": { "schema": question } } });
-    told
+    let mut described = operation(about, &[], schema);
+    described["requestBody"] = json!({ "required": true, "content": { "application/json": { "schema": question } } });
+    described
 }
 
 /// Every object that stands in answers, by its name.

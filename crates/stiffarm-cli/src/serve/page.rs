@@ -35,15 +35,15 @@ pub(super) fn part(path: &str, headers: &HeaderMap) -> Result<Reply, Refused> {
     file.contents().hash(&mut hasher);
     let tag = format!("\"{:016x}\"", hasher.finish());
     let is_known = headers.get(IF_NONE_MATCH).is_some_and(|known| known.as_bytes() == tag.as_bytes());
-    let mut told = reply(if is_known { &[] } else { file.contents() }, kind);
+    let mut response = reply(if is_known { &[] } else { file.contents() }, kind);
     if is_known {
-        *told.status_mut() = StatusCode::NOT_MODIFIED;
+        *response.status_mut() = StatusCode::NOT_MODIFIED;
     }
-    let headers = told.headers_mut();
+    let headers = response.headers_mut();
     headers.insert(CACHE_CONTROL, HeaderValue::from_static("no-cache"));
     headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
     if let Ok(tag) = HeaderValue::from_str(&tag) {
         headers.insert(ETAG, tag);
     }
-    Ok(told)
+    Ok(response)
 }

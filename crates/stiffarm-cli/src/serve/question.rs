@@ -29,9 +29,9 @@ pub(super) struct Question {
 impl Question {
     /// Reads a body.
     pub(super) fn read(verb: Verb, wanted: Wanted, body: &[u8]) -> Result<Self, Refused> {
-        let mut told = object(body)?;
-        let (options, files) = (told.remove("options"), told.remove("files"));
-        if let Some(other) = told.keys().next() {
+        let mut fields = object(body)?;
+        let (options, files) = (fields.remove("options"), fields.remove("files"));
+        if let Some(other) = fields.keys().next() {
             return Err(unlike(&format!("'{}' is nothing that is asked", on_one_line(other))));
         }
         let options = match options {
@@ -63,7 +63,7 @@ impl Question {
 /// A body as JSON.
 pub(super) fn object(body: &[u8]) -> Result<Map<String, Value>, Refused> {
     match serde_json::from_slice(body) {
-        Ok(Value::Object(told)) => Ok(told),
+        Ok(Value::Object(fields)) => Ok(fields),
         Ok(_) => Err(unlike("it is no object")),
         Err(error) => Err(unlike(&error.to_string())),
     }

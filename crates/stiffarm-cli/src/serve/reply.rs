@@ -25,7 +25,7 @@ const DATA_POLICY: &str =
 /// What was said beside an answer: a JSON list of texts.
 const NOTES: HeaderName = HeaderName::from_static("stiffarm-notes");
 const RESOURCE_POLICY: HeaderName = HeaderName::from_static("cross-origin-resource-policy");
-/// Notes are told up to this length; the stream has all of them.
+/// Notes are sent up to this length; the stream has all of them.
 const MOST_NOTES: usize = 4096;
 
 /// A question without an answer.
@@ -55,11 +55,11 @@ impl Refused {
     }
 
     pub(super) fn json(&self) -> Value {
-        let mut told = json!({ "error": self.error, "hint": self.hint });
+        let mut body = json!({ "error": self.error, "hint": self.hint });
         if let Some(code) = self.exit_code {
-            told["exit_code"] = code.into();
+            body["exit_code"] = code.into();
         }
-        told
+        body
     }
 
     pub(super) fn reply(&self) -> Reply {
@@ -147,32 +147,32 @@ pub(super) fn note(reply: &mut Reply, notes: &[String]) {
     if notes.is_empty() {
         return;
     }
-    let mut told: Vec<&str> = Vec::new();
+    let mut sent: Vec<&str> = Vec::new();
     for note in notes {
-        let length: usize = told.iter().map(|note| note.len()).sum();
+        let length: usize = sent.iter().map(|note| note.len()).sum();
         if MOST_NOTES < length + note.len() {
-            told.push("there is more to be said; ask with Accept: application/x-ndjson");
+            sent.push("there is more to be said; ask with Accept: application/x-ndjson");
             break;
         }
-        told.push(note);
+        sent.push(note);
     }
-    if let Ok(value) = HeaderValue::from_str(&ascii(&json!(told).to_string())) {
+    if let Ok(value) = HeaderValue::from_str(&ascii(&json!(sent).to_string())) {
         reply.headers_mut().insert(NOTES, value);
     }
 }
 
 /// JSON in letters that a header may have.
 fn ascii(json: &str) -> String {
-    let mut told = String::with_capacity(json.len());
+    let mut escaped = String::with_capacity(json.len());
     for c in json.chars() {
         if c.is_ascii() && !c.is_ascii_control() {
-            told.push(c);
+            escaped.push(c);
         } else {
             let mut units = [0; 2];
-            told.extend(c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")));
+            escaped.extend(c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")));
         }
     }
-    told
+    escaped
 }
 
 /// Puts on every reply what keeps a browser from doing anything else with it.
@@ -191,7 +191,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_options_are_told_without_what_is_typed_before_them() {
+    fn names_of_options_are_sent_without_what_is_typed_before_them() {
         for (typed, sent) in [
             ("--model spatial asks; --within, --gap", "model spatial asks; within, gap"),
             ("without --force-n 3..4 one", "without force-n 3..4 one"),

@@ -56,23 +56,27 @@ async fn delivered(
     write: impl FnOnce() -> Result<Vec<u8>, Refused> + Send + 'static,
 ) -> Result<Reply, Refused> {
     let (bytes, _) = computed(server, move |_| write()).await?;
-    let mut told = reply(bytes, form.row().media_type);
+    let mut response = reply(bytes, form.row().media_type);
     if !form.is_json() {
-        keep_as(&mut told, &form.file(stem));
+        keep_as(&mut response, &form.file(stem));
     }
-    Ok(told)
+    Ok(response)
 }
 
 /// A form, where the answer has it.
-fn written_of(told: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
-    if told.forms().has(form) { written(told, form) } else { Err(without(told.forms().command, told.forms(), form)) }
+fn written_of(answer: &dyn Answer, form: Form) -> Result<Vec<u8>, Refused> {
+    if answer.forms().has(form) {
+        written(answer, form)
+    } else {
+        Err(without(answer.forms().command, answer.forms(), form))
+    }
 }
 
 /// What the checker says of `{"name": .., "text": ..}`.
 pub(super) async fn checked(server: &Arc<Server>, body: Vec<u8>) -> Result<Reply, Refused> {
-    let told = object(&body)?;
-    let field = |key: &str| told.get(key).and_then(Value::as_str).map(ToOwned::to_owned);
-    let (Some(name), Some(text), 2) = (field("name"), field("text"), told.len()) else {
+    let sent = object(&body)?;
+    let field = |key: &str| sent.get(key).and_then(Value::as_str).map(ToOwned::to_owned);
+    let (Some(name), Some(text), 2) = (field("name"), field("text"), sent.len()) else {
         return Err(unlike("expected {\"name\": \"mine.toml\", \"text\": \"...\"}, and nothing else"));
     };
     check_name(&name)?;

@@ -136,12 +136,12 @@ async fn answer(
     // Of a task that is a toolpath mill is asked.
     let name = question.wanted.file(question.asked.verb);
     let (bytes, notes) = within(server, wait, move |client| answered(&question, client)).await?;
-    let mut told = reply(bytes, kind);
+    let mut response = reply(bytes, kind);
     if !is_json {
-        keep_as(&mut told, &name);
+        keep_as(&mut response, &name);
     }
-    note(&mut told, &notes);
-    Ok(told)
+    note(&mut response, &notes);
+    Ok(response)
 }
 
 /// How long somebody says to wait: `Prefer: wait=600` (RFC 7240).

@@ -65,7 +65,7 @@ async fn follow(workshop: Arc<Workshop>, place: Place, question: Question, lines
             }
             _ = ticks.tick() => {
                 let far = client.far();
-                // Who reads slowly is told less often.
+                // Who reads slowly gets fewer lines.
                 if last != Some(far) && lines.try_send(progress(far)).is_ok() {
                     last = Some(far);
                 }
@@ -89,10 +89,10 @@ fn last_line(found: Result<Vec<u8>, Refused>, is_json: bool, notes: &[String]) -
     let bytes = match found {
         Ok(bytes) => bytes,
         Err(refused) => {
-            let mut told = refused.json();
-            told["status"] = refused.status.as_u16().into();
-            told["notes"] = json!(notes);
-            return line(&told);
+            let mut error = refused.json();
+            error["status"] = refused.status.as_u16().into();
+            error["notes"] = json!(notes);
+            return line(&error);
         }
     };
     let notes = json!(notes);

@@ -82,7 +82,7 @@ class PlaceOptions(TypedDict, total=False):
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
     tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
 
     tool_com_mm: npt.ArrayLike | None
     """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
@@ -203,7 +203,7 @@ class RankOptions(TypedDict, total=False):
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
     tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
 
     tool_com_mm: npt.ArrayLike | None
     """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
@@ -454,8 +454,8 @@ class StudyOptions(TypedDict, total=False):
     where nothing is said here."""
 
     task: str | None
-    """A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which
-    architecture is stiffer there."""
+    """A flat zone at its size, whose shape is studied: where it stands with a robot is marked, with the
+    architecture that is stiffer there."""
 
     sizes: npt.ArrayLike
     """Sizes over l2 + l3."""
@@ -491,7 +491,7 @@ class CompareOptions(TypedDict, total=False):
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
     tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
 
     tool_com_mm: npt.ArrayLike | None
     """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
@@ -629,7 +629,7 @@ class IdentifyOptions(TypedDict, total=False):
     file has the posterior; drives that the rows do not show keep the prior with its scatter."""
 
     date: str | None
-    """When was measured, as year-month-day: it is told, and stands in the robot file."""
+    """When was measured, as year-month-day: it is reported, and stands in the robot file."""
 
 
 class MeasureOptions(TypedDict, total=False):
@@ -724,7 +724,7 @@ class CalibrateOptions(TypedDict, total=False):
     frame]."""
 
     at: npt.ArrayLike | None
-    """Where the work is [m], from the robot's base: the error that remains is told within 0.25 m about it
+    """Where the work is [m], from the robot's base: the error that remains is computed within 0.25 m about it
     [default: over all the arm reaches]."""
 
     controller_model: Literal["nominal", "calibrated"] | None
@@ -835,7 +835,7 @@ class ModesOptions(TypedDict, total=False):
     robot file has it of the drives, else 0.03]."""
 
     count: int
-    """How many modes are told, the lowest first."""
+    """How many modes are reported, the lowest first."""
 
 
 class ChatterOptions(TypedDict, total=False):
@@ -1055,7 +1055,7 @@ class MillOptions(TypedDict, total=False):
     leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
     tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
 
     stiffness: Literal["paper", "prior", "file"] | None
     """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
@@ -1106,7 +1106,7 @@ class SweepOptions(TypedDict, total=False):
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
     tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
 
     tool_com_mm: npt.ArrayLike | None
     """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
@@ -1440,8 +1440,8 @@ class PlacedInRanking(_Pass):
     """The cutting force."""
 
     force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
 
     force_direction: list[float] | None
     """Its unit direction along these axes."""
@@ -1747,8 +1747,8 @@ class RankingDict(TypedDict):
     """The cutting force."""
 
     force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
 
     force_direction: list[float] | None
     """Its unit direction along these axes."""
@@ -2069,8 +2069,8 @@ class Placed(_Pass):
     """The cutting force."""
 
     force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
 
     force_direction: list[float] | None
     """Its unit direction along these axes."""
@@ -2321,13 +2321,14 @@ class PathChatter(TypedDict):
     """Whether the cuts of a path swing with the arm."""
 
     chatter_verdict: str | None
-    """What is told of robot modes and of spindle modes along a path, in words, with the sample of which it is."""
+    """What is reported of robot modes and of spindle modes along a path, in words, with the sample of which it
+    is."""
 
     covered_samples: int
-    """Samples of which a critical depth is told."""
+    """Samples of which a critical depth is computed."""
 
     not_covered: list[UncoveredSamples]
-    """Samples that feed, and of which nothing is told: why, how many, and the lines on which they are."""
+    """Samples that feed, and of which nothing is computed: why, how many, and the lines on which they are."""
 
     mean_misleads: int
     """Samples whose teeth cut so shortly, and pass so slowly, that their mean over a revolution misleads; only
@@ -2415,7 +2416,7 @@ class PathChatter(TypedDict):
 
     modes_looked_at: list[float] | None
     """Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured.
-    Nothing is told above the last of these and of what was measured."""
+    Nothing is known above the last of these and of what was measured."""
 
     robot_modes: str
     """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
@@ -2440,7 +2441,7 @@ class PathChatter(TypedDict):
 
     deepest_roll_deg: float | None
     """Of the rolls, in steps of 5 deg, that keep the margins and touch nothing at the worst sample in its
-    configuration: the one with which its cut goes deepest; null where nothing is told."""
+    configuration: the one with which its cut goes deepest; null where nothing is known."""
 
     deepest_depth_mm: float | None
     """From which depth it then swings, by the mean of the teeth over a revolution; null where none up to 300 mm
@@ -3031,8 +3032,8 @@ class MapDict(TypedDict):
     """The cutting force."""
 
     force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
 
     force_direction: list[float] | None
     """Its unit direction along these axes."""
@@ -3181,8 +3182,8 @@ class ComplianceDict(TypedDict):
     """Their 95th percentile."""
 
     force_axes: str | None
-    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
-    worst."""
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
 
     force_direction: list[float] | None
     """Its unit direction along these axes."""
@@ -3551,7 +3552,7 @@ class ChatterDict(TypedDict):
 
     modes_looked_at: list[float]
     """Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured.
-    Nothing is told above the last of these and of what was measured."""
+    Nothing is known above the last of these and of what was measured."""
 
     robot_modes: str
     """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
@@ -3575,7 +3576,7 @@ class ChatterDict(TypedDict):
     """From where to where the table tells frequency by frequency, Hz; null without one."""
 
     verdict: str
-    """What is told of robot modes and of what was measured at the tip, in words."""
+    """What is reported of robot modes and of what was measured at the tip, in words."""
 
     assumed: list[str]
     """What the file leaves open and how it was taken, with the line that came first."""
@@ -4083,7 +4084,7 @@ class PlannedAtWork(TypedDict):
     """The part of all of these that no error of the arm explains, and no calibration takes away."""
 
     postures: int
-    """Postures over which it is told."""
+    """Postures over which it is computed."""
 
 
 class CalibrationLeaves(TypedDict):
@@ -4213,7 +4214,7 @@ class CalibratedAtWork(TypedDict):
     """95th percentile of the error at the work."""
 
     postures: int
-    """Postures over which it is told."""
+    """Postures over which it is computed."""
 
 
 class CalibrationDict(TypedDict):

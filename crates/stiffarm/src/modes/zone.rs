@@ -48,7 +48,7 @@ pub struct SwingOverZone {
     pub points: usize,
     /// The largest distance between neighbours of them, m.
     pub step: f64,
-    /// Nowhere in the zone is the first frequency lower, Hz: proved for the stiffness that is given; `None` where the proof did not end.
+    /// Nowhere in the zone is the first frequency lower, Hz: proved for the stiffness that is stated; `None` where the proof did not end.
     pub first_at_least: Option<f64>,
     /// Into how many parts the zone was cut for that.
     pub parts: usize,

@@ -1,4 +1,4 @@
-//! What can be told of a calibrated arm.
+//! What can be reported of a calibrated arm.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 
@@ -32,7 +32,7 @@ fields! {
     WORK_INTERVAL: "ci95_mm", numbers(Unit::Millimetre, &["ci95_low_mm", "ci95_high_mm"]), "Where that root mean square lies with 95 %.";
     WORK_P95: "work_p95_mm", Kind::Number(Unit::Millimetre), "95th percentile of the error at the work.";
     AT_WORK: "at_work", Kind::Object, "The error that remains at the work: expected, with its interval, and over how many postures; null where the arm does not reach it.";
-    WORK_POSTURES: "postures", Kind::Count, "Postures over which it is told.";
+    WORK_POSTURES: "postures", Kind::Count, "Postures over which it is computed.";
     ZERO_FOUND: "zero_deg", numbers(Unit::Degree, &["zero_1_deg", "zero_2_deg", "zero_3_deg", "zero_4_deg", "zero_5_deg", "zero_6_deg"]), "What is to be added to each reported angle.";
     FRAMES_FOUND: "frames_mm_mrad", Kind::List(&Kind::List(&Kind::Number(Unit::Described))), "Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros are left out.";
     WEIGHT_FOUND: "weight_mrad", Kind::List(&Kind::Number(Unit::Milliradian)), "How drives yield under the arm's own weight, null where it is that of masses: of drive 2 on sin t2, cos t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool.";

@@ -1,4 +1,4 @@
-//! What can be told of how a cut swings.
+//! What can be reported of how a cut swings.
 
 use super::kinds::{Kind, Unit, fields};
 
@@ -18,14 +18,14 @@ fields! {
     CALM_SPEEDS: "calm_rpm", Kind::List(&Kind::List(&Kind::Number(Unit::Given("rpm")))), "Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's.";
     PAN_DEPTH: "pan_depth_mm", Kind::Number(Unit::Millimetre), "The least depth at which modes couple without the delay (Pan); beside the others, never instead of them.";
     PAN_FREQUENCY: "pan_hz", Kind::Number(Unit::Given("hz")), "Its frequency; 0 where the arm gives way.";
-    MODES_LOOKED_AT: "modes_looked_at", Kind::List(&Kind::Number(Unit::Described)), "Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured. Nothing is told above the last of these and of what was measured.";
+    MODES_LOOKED_AT: "modes_looked_at", Kind::List(&Kind::Number(Unit::Described)), "Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured. Nothing is known above the last of these and of what was measured.";
     ROBOT_MODES: "robot_modes", Kind::Text, "Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a cut of which anything is known.";
     SPINDLE_MODES: "spindle_modes", Kind::Text, "unknown where nothing was measured at the tip, else measured; those of the work are never looked at.";
     FRF: "frf", Kind::Text, "The table of what was measured at the tip; null where there is none.";
     FRF_ON: "frf_on", Kind::Text, "What held the tip while it was measured: rigid (spindle, holder and cutter alone) or robot (it takes the place of the model); null without a table.";
     MEASURED_MODES: "measured_modes", Kind::List(&Kind::Number(Unit::Described)), "Frequencies of the modes of the table, Hz; null without a table of modes.";
     MEASURED_BETWEEN: "measured_between", Kind::List(&Kind::Number(Unit::Described)), "From where to where the table tells frequency by frequency, Hz; null without one.";
-    CHATTER_VERDICT: "verdict", Kind::Text, "What is told of robot modes and of what was measured at the tip, in words.";
+    CHATTER_VERDICT: "verdict", Kind::Text, "What is reported of robot modes and of what was measured at the tip, in words.";
     CHATTER_METHOD: "method", Kind::Text, "How teeth are counted: mean (over a revolution) or teeth (one by one).";
     CHATTER_DRAWN: "drawn", Kind::List(&Kind::Text), "What the intervals are over: drives, damping, both or neither.";
     DEPTH_RESERVE: "depth_reserve", Kind::Number(Unit::One), "The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up to 300 mm does.";

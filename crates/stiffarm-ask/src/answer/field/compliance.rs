@@ -1,4 +1,4 @@
-//! What can be told of one posture.
+//! What can be reported of one posture.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

@@ -1,4 +1,4 @@
-//! What can be told of the force of a process.
+//! What can be reported of the force of a process.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

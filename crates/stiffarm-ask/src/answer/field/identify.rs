@@ -1,4 +1,4 @@
-//! What can be told of identified drives.
+//! What can be reported of identified drives.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

@@ -1,4 +1,4 @@
-//! What can be told of what an arm carries, and how far it reaches.
+//! What can be reported of what an arm carries, and how far it reaches.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

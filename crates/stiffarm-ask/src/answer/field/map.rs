@@ -1,4 +1,4 @@
-//! What can be told of a map.
+//! What can be reported of a map.
 
 use super::kinds::{Kind, Unit, fields};
 

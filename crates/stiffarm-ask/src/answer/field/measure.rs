@@ -1,4 +1,4 @@
-//! What can be told of planned measurements.
+//! What can be reported of planned measurements.
 
 use super::kinds::{Kind, Unit, fields};
 

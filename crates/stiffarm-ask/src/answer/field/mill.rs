@@ -1,4 +1,4 @@
-//! What can be told of a toolpath as it is milled.
+//! What can be reported of a toolpath as it is milled.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 
@@ -39,18 +39,18 @@ fields! {
     CONTRACTION: "contraction", Kind::Number(Unit::One), "What of a displacement the cut gives back at most; from 1 on nothing settles.";
     UNSETTLED: "unsettled", Kind::Count, "Samples at which nothing settles: pushed aside, the tool is drawn in.";
     PATH_CHATTER: "chatter", Kind::Object, "Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to the cut; null where that was not asked, or the path is not followed.";
-    PATH_CHATTER_VERDICT: "chatter_verdict", Kind::Text, "What is told of robot modes and of spindle modes along a path, in words, with the sample of which it is.";
+    PATH_CHATTER_VERDICT: "chatter_verdict", Kind::Text, "What is reported of robot modes and of spindle modes along a path, in words, with the sample of which it is.";
     CHATTER_SAMPLE: "at_sample", Kind::Count, "The sample at which the critical depth is least in proportion to the cut, from 0; null where no sample is covered.";
     CHATTER_LINE: "at_line", Kind::Count, "Its line in the file; 0 of a path built in.";
     FEED_DIRECTION: "feed", numbers(Unit::One, &["feed_x", "feed_y", "feed_z"]), "Where the tool feeds, of length one, base axes.";
-    DEEPEST_ROLL: "deepest_roll_deg", Kind::Number(Unit::Degree), "Of the rolls, in steps of 5 deg, that keep the margins and touch nothing at the worst sample in its configuration: the one with which its cut goes deepest; null where nothing is told.";
+    DEEPEST_ROLL: "deepest_roll_deg", Kind::Number(Unit::Degree), "Of the rolls, in steps of 5 deg, that keep the margins and touch nothing at the worst sample in its configuration: the one with which its cut goes deepest; null where nothing is known.";
     DEEPEST_DEPTH: "deepest_depth_mm", Kind::Number(Unit::Millimetre), "From which depth it then swings, by the mean of the teeth over a revolution; null where none up to 300 mm does.";
     DEEPEST_ERROR: "deepest_error_mm", Kind::Number(Unit::Millimetre), "The error of that sample, so rolled.";
     ROLLED_RESERVE: "rolled_reserve", Kind::Number(Unit::One), "The whole path so rolled: its least critical depth in parts of that of the cut, by the mean; null where it is not followed so, or no edge swings.";
     ROLLED_LINE: "rolled_at_line", Kind::Count, "The line of the file on which that is; null where the path is not followed so.";
     ROLLED_ERROR: "rolled_error_mm", Kind::Number(Unit::Millimetre), "The largest error along the path so rolled.";
-    COVERED: "covered_samples", Kind::Count, "Samples of which a critical depth is told.";
-    NOT_COVERED: "not_covered", Kind::Objects, "Samples that feed, and of which nothing is told: why, how many, and the lines on which they are.";
+    COVERED: "covered_samples", Kind::Count, "Samples of which a critical depth is computed.";
+    NOT_COVERED: "not_covered", Kind::Objects, "Samples that feed, and of which nothing is computed: why, how many, and the lines on which they are.";
     UNCOVERED_WHY: "why", Kind::Text, "plunge, turn in place, force of the path (it gives no cut), or air.";
     UNCOVERED_LINES: "lines", Kind::List(&Kind::Count), "Lines of the file, ascending; none of a path built in.";
     MEAN_MISLEADS: "mean_misleads", Kind::Count, "Samples whose teeth cut so shortly, and pass so slowly, that their mean over a revolution misleads; only the worst is counted tooth by tooth.";

@@ -1,4 +1,4 @@
-//! What can be told of how an arm swings.
+//! What can be reported of how an arm swings.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

@@ -1,4 +1,4 @@
-//! What can be told of a toolpath as it is read.
+//! What can be reported of a toolpath as it is read.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

@@ -1,4 +1,4 @@
-//! What can be told of a place, what it rests on, and what is advised where a tolerance is missed.
+//! What can be reported of a place, what it rests on, and what is advised where a tolerance is missed.
 
 use super::kinds::{Kind, Unit, fields, numbers, open_numbers};
 
@@ -14,7 +14,7 @@ fields! {
     TASK: "task", Kind::Text, "The zone as it was asked for.";
     MODEL: "model", Kind::Text, "planar or spatial; of an identification what springs: drives, base, tool or base-and-tool.";
     FORCE: "force_n", Kind::Number(Unit::Newton), "The cutting force.";
-    FORCE_AXES: "force_axes", Kind::Text, "Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the worst.";
+    FORCE_AXES: "force_axes", Kind::Text, "Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for the worst.";
     FORCE_DIRECTION: "force_direction", numbers(Unit::One, &["force_direction_1", "force_direction_2", "force_direction_3"]), "Its unit direction along these axes.";
     FORCE_CONE: "force_cone_deg", Kind::Number(Unit::Given("deg")), "By how much it may point aside.";
     FEED: "feed_deg", Kind::Number(Unit::Given("deg")), "Direction of the feed from the first side of the zone; null where it may go any way.";

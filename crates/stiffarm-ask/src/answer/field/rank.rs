@@ -1,4 +1,4 @@
-//! What can be told of several robots or setups.
+//! What can be reported of several robots or setups.
 
 use super::kinds::{Kind, Unit, fields};
 
@@ -19,7 +19,7 @@ fields! {
     BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
-    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good, at the nominal stiffness.";
+    DISTINGUISHED: "told_apart", Kind::Truth, "It is proved that no other is as good, at the nominal stiffness.";
     RIVALS: "rivals", Kind::List(&Kind::Text), "Robots of published geometry that may be as good as the best.";
     SETUP: "setup", Kind::Text, "a or b, of two that are compared.";
     SETUP_A: "a", Kind::Object, "The first setup, as place tells it.";

@@ -1,4 +1,4 @@
-//! What can be told of robots, their files, and what is printed of them.
+//! What can be reported of robots, their files, and what is printed of them.
 
 use super::kinds::{Kind, Unit, fields};
 

@@ -1,4 +1,4 @@
-//! What can be told of architectures.
+//! What can be reported of architectures.
 
 use super::kinds::{Kind, Unit, fields};
 

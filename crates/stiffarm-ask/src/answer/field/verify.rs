@@ -1,4 +1,4 @@
-//! What can be told of how joints are counted.
+//! What can be reported of how joints are counted.
 
 use super::kinds::{Kind, Unit, fields, numbers};
 

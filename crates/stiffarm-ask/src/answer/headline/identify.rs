@@ -28,7 +28,7 @@ impl IdentifyAnswer {
             found.postures
         )];
         let left_out = found.explained_left_out().map_or_else(String::new, |explained| {
-            format!(", and {} of it where each posture is told by the others alone", percent(explained))
+            format!(", and {} of it where each posture is predicted by the others alone", percent(explained))
         });
         sentences.push(format!(
             "They explain {} of how far the tool moved ({} root mean square){left_out}; {} is not explained.",

@@ -29,7 +29,7 @@ impl MillAnswer {
             },
         };
         let sentences: Vec<String> =
-            sentences.into_iter().chain(self.chatter_verdict().map(|told| format!("Chatter: {told}."))).collect();
+            sentences.into_iter().chain(self.chatter_verdict().map(|verdict| format!("Chatter: {verdict}."))).collect();
         let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force on the tool: {}.", self.force));
         rests_on.extend(self.carried().sentences());
@@ -41,16 +41,16 @@ impl MillAnswer {
     fn judged(&self, found: &Followed) -> (Outcome, Vec<String>) {
         let (name, path, value) = (self.robot.full_name(), &self.path, mm(found.worst.0));
         let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
-            let mut told = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
-            told.extend(self.left());
-            return (Outcome::Told, told);
+            let mut sentences = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
+            sentences.extend(self.left());
+            return (Outcome::Computed, sentences);
         };
         let (word, margin, less) = if verdict.passes {
             ("holds", verdict.margin_mm, "less")
         } else {
             ("does not hold", -verdict.margin_mm, "more")
         };
-        let mut told = vec![format!(
+        let mut sentences = vec![format!(
             "{name} {word} {tolerance} mm along {path}{}{}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
             if self.compensation.is_some() { " without compensation" } else { "" },
             proviso(verdict),
@@ -63,7 +63,7 @@ impl MillAnswer {
                 ("", "Turning the tool does not help")
             };
             let proved = format!("proved lower bound {places}{} is {}", self.which_rolls(), mm(bound));
-            told.push(if Verdict::of(bound, tolerance).passes {
+            sentences.push(if Verdict::of(bound, tolerance).passes {
                 format!("Better ones are not ruled out: the {proved}.")
             } else if self.bounds_all_rolls() {
                 format!("{helps}: the {proved}.")
@@ -71,11 +71,11 @@ impl MillAnswer {
                 format!("The {proved}; other rolls may hold it.")
             });
         }
-        told.push(scattered(verdict, self.spread(), &self.robot));
-        told.extend(self.left());
+        sentences.push(scattered(verdict, self.spread(), &self.robot));
+        sentences.extend(self.left());
         let milled = self.milled_verdict().unwrap_or(verdict);
-        told.extend(self.geometry_exceeds(tolerance).filter(|_| milled.passes));
-        (judged(milled), told)
+        sentences.extend(self.geometry_exceeds(tolerance).filter(|_| milled.passes));
+        (judged(milled), sentences)
     }
 
     /// What compensation leaves, where it was asked for.

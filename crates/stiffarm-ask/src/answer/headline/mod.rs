@@ -37,7 +37,7 @@ pub enum Outcome {
     /// One robot is advised; no tolerance was asked.
     Advised,
     /// Numbers; no tolerance was asked.
-    Told,
+    Computed,
     /// Every drive is identified.
     Identified,
     /// Some drives are.
@@ -76,7 +76,7 @@ impl Outcome {
             Self::Tie => "tie",
             Self::Overloaded => "load exceeded",
             Self::Advised => "advised",
-            Self::Told => "computed",
+            Self::Computed => "computed",
             Self::Identified => "identified",
             Self::PartlyIdentified => "identified in part",
             Self::NotIdentified => "not identified",
@@ -93,7 +93,7 @@ impl Outcome {
             Self::PassesPerhaps | Self::Tie | Self::PartlyIdentified | Self::NotIdentified | Self::PartlyCalibrated => {
                 Tone::Open
             }
-            Self::Told => Tone::Plain,
+            Self::Computed => Tone::Plain,
         }
     }
 }
@@ -163,19 +163,19 @@ fn means(tolerance_mm: Option<f64>) -> Option<String> {
 
 /// What every number about a robot rests on.
 fn rests_on(robot: &Robot) -> Vec<String> {
-    let mut told = vec![format!("Stiffness of {}: {}.", robot.name, stiffness(robot))];
+    let mut sentences = vec![format!("Stiffness of {}: {}.", robot.name, stiffness(robot))];
     if robot.stiffness_source() == StiffnessSource::Assumed {
-        told.push(ASSUMED.into());
+        sentences.push(ASSUMED.into());
     }
-    told.extend(known(robot).map(|why| format!("Lengths and limits of {}: {}.", robot.name, why)));
-    told
+    sentences.extend(known(robot).map(|why| format!("Lengths and limits of {}: {}.", robot.name, why)));
+    sentences
 }
 
 /// The same of several robots, their drives alone.
 fn drives_rest_on<'a>(robots: impl Iterator<Item = &'a Robot> + Clone) -> Vec<String> {
     let is_assumed = robots.clone().any(|robot| robot.stiffness_source() == StiffnessSource::Assumed);
-    let told = format!("Stiffness: {}.", stiffnesses(robots));
-    [told].into_iter().chain(is_assumed.then(|| ASSUMED.into())).collect()
+    let drives = format!("Stiffness: {}.", stiffnesses(robots));
+    [drives].into_iter().chain(is_assumed.then(|| ASSUMED.into())).collect()
 }
 
 /// What it means that nobody knows the drives.
@@ -218,8 +218,8 @@ mod tests {
         for (mm, probability, outcome, words) in cases {
             let verdict = Verdict::of(mm / 1e3, 2.0).with(probability);
             assert_eq!(judged(verdict), outcome);
-            let told = scattered(verdict, probability.map(|_| spread), &robot);
-            assert!(told.contains(words), "{told}");
+            let text = scattered(verdict, probability.map(|_| spread), &robot);
+            assert!(text.contains(words), "{text}");
         }
     }
 

@@ -28,7 +28,7 @@ impl ModesAnswer {
         sentences.push(MEANS.into());
         let rests_on = std::iter::once(format!("Robot: {}.", words::class(&self.robot)));
         let rests_on = rests_on.chain(self.notes().lines().skip(1).map(sentence)).collect();
-        Headline { outcome: Outcome::Told, sentences, rests_on }
+        Headline { outcome: Outcome::Computed, sentences, rests_on }
     }
 }
 
@@ -49,6 +49,6 @@ impl ModesOverAnswer {
         sentences.push(MEANS.into());
         let rests_on = std::iter::once(format!("Robot: {}.", words::class(&self.robot)));
         let rests_on = rests_on.chain(self.notes().lines().skip(1).map(sentence)).collect();
-        Headline { outcome: Outcome::Told, sentences, rests_on }
+        Headline { outcome: Outcome::Computed, sentences, rests_on }
     }
 }

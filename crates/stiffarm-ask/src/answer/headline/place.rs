@@ -13,8 +13,8 @@ impl PlaceAnswer {
             Placed::Infeasible { reason, is_proved, largest_scale } => {
                 let proof =
                     if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
-                let told = format!("{} has no place for {}: {reason}{proof}.", self.robot.full_name(), self.task.label);
-                (Outcome::NoPlace, vec![told])
+                let text = format!("{} has no place for {}: {reason}{proof}.", self.robot.full_name(), self.task.label);
+                (Outcome::NoPlace, vec![text])
             }
             Placed::Feasible(best) => self.judged(best),
         };
@@ -29,12 +29,12 @@ impl PlaceAnswer {
         let (name, label, value) = (self.robot.full_name(), &self.task.label, mm(best.deflection));
         let stands = self.where_it_stands();
         let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
-            let told = format!("{name} gives way by {value} at worst on {label}, {stands}.");
+            let text = format!("{name} gives way by {value} at worst on {label}, {stands}.");
             let proof = (!self.is_at_one_place()).then(|| proved(best));
             return self
                 .colliding(best)
                 .or_else(|| self.overloaded())
-                .unwrap_or((Outcome::Told, [Some(told), proof].into_iter().flatten().collect()));
+                .unwrap_or((Outcome::Computed, [Some(text), proof].into_iter().flatten().collect()));
         };
         let mut sentences = vec![if verdict.passes {
             format!(
@@ -58,9 +58,9 @@ impl PlaceAnswer {
         }
         sentences.push(scattered(verdict, self.known().map(|known| known.spread), &self.robot));
         match self.colliding(best).or_else(|| self.overloaded()) {
-            Some((outcome, mut told)) => {
-                told.extend(sentences);
-                (outcome, told)
+            Some((outcome, mut warnings)) => {
+                warnings.extend(sentences);
+                (outcome, warnings)
             }
             None => (judged(verdict), sentences),
         }
@@ -92,6 +92,6 @@ fn proved(best: &Placement) -> String {
 pub(super) fn sentence(line: &str) -> String {
     let mut letters = line.trim().chars();
     let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
-    let told = first + letters.as_str();
-    if told.ends_with('.') { told } else { told + "." }
+    let text = first + letters.as_str();
+    if text.ends_with('.') { text } else { text + "." }
 }

@@ -61,17 +61,17 @@ impl RankAnswer {
     /// By how much the best of a task is ahead of all others, where that is proved.
     fn leads(&self) -> Option<String> {
         let tasks = self.ranking.tasks.len();
-        let told: Vec<Lead> = (0..tasks).filter_map(|task| self.lead(task)).collect();
-        let least = told.iter().min_by(|a, b| a.ahead.total_cmp(&b.ahead))?;
+        let leads: Vec<Lead> = (0..tasks).filter_map(|task| self.lead(task)).collect();
+        let least = leads.iter().min_by(|a, b| a.ahead.total_cmp(&b.ahead))?;
         // Never more than it is.
         let percent = fixed((1000.0 * least.ahead).floor() / 10.0, 1);
         let label = |lead: &Lead| self.ranking.tasks[lead.task].label.as_str();
         let (next, bound) = (&least.next.robot.name, mm(least.bound));
-        let of = match told.len() {
+        let of = match leads.len() {
             1 => format!("on {} every other robot gives way at least {percent} % more", label(least)),
             all if all == tasks => format!("on every task every other robot gives way at least {percent} % more"),
             _ => {
-                let labels: Vec<&str> = told.iter().map(label).collect();
+                let labels: Vec<&str> = leads.iter().map(label).collect();
                 format!("on {} every other robot gives way at least {percent} % more", labels.join(", "))
             }
         };

@@ -37,7 +37,7 @@ fn ground(layout: &Layout) -> (f64, &'static str) {
 pub(super) fn from_an_origin(layout: &Layout, origin: &str, whole: &str) -> Vec<Dimension> {
     let ([x, y, z], [ahead, left, _], (floor, ground)) = (layout.centre, layout.foot, ground(layout));
     let above = side(z - floor, ["above", "below"]);
-    let mut told = vec![
+    let mut dimensions = vec![
         dimension(2, [floor, z], format!("height of {origin} {above} the {ground}")),
         dimension(0, [ahead, x], format!("joint-1 axis to {origin}, {}", side(x - ahead, ["ahead", "behind"]))),
         dimension(1, [left, y], format!("{origin} to the {} of the joint-1 axis", side(y - left, ["left", "right"]))),
@@ -45,10 +45,10 @@ pub(super) fn from_an_origin(layout: &Layout, origin: &str, whole: &str) -> Vec<
     for (axis, way) in [(0, "ahead"), (1, "sideways"), (2, "upwards")] {
         let ends = layout.extent(axis);
         if !is_flat(ends) {
-            told.push(dimension(axis, ends, format!("extent of {whole} {way}")));
+            dimensions.push(dimension(axis, ends, format!("extent of {whole} {way}")));
         }
     }
-    told
+    dimensions
 }
 
 /// Where a zone stands.
@@ -57,34 +57,42 @@ pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
     let (floor, ground) = ground(layout);
     let above = |z: f64| side(z - floor, ["above", "below"]);
     let beside = side(layout.centre[1] - layout.foot[1], ["left", "right"]);
-    let mut told = Vec::new();
+    let mut dimensions = Vec::new();
     if is_flat(up) {
-        told.push(dimension(2, [floor, up[0]], format!("height of the worked face {} the {ground}", above(up[0]))));
+        dimensions.push(dimension(
+            2,
+            [floor, up[0]],
+            format!("height of the worked face {} the {ground}", above(up[0])),
+        ));
     } else {
-        told.push(dimension(2, [floor, up[0]], format!("height of its lowest edge {} the {ground}", above(up[0]))));
-        told.push(dimension(2, up, "from there to its highest edge".into()));
+        dimensions.push(dimension(
+            2,
+            [floor, up[0]],
+            format!("height of its lowest edge {} the {ground}", above(up[0])),
+        ));
+        dimensions.push(dimension(2, up, "from there to its highest edge".into()));
     }
-    told.push(dimension(
+    dimensions.push(dimension(
         0,
         [layout.foot[0], across[0]],
         format!("joint-1 axis to its near edge, {}", side(across[0] - layout.foot[0], ["ahead", "behind"])),
     ));
     if is_flat(across) {
-        return told;
+        return dimensions;
     }
-    told.push(dimension(
+    dimensions.push(dimension(
         0,
         [layout.foot[0], layout.centre[0]],
         format!("joint-1 axis to its centre, {}", side(layout.centre[0] - layout.foot[0], ["ahead", "behind"])),
     ));
-    told.push(dimension(0, across, "its extent ahead".into()));
-    told.push(dimension(
+    dimensions.push(dimension(0, across, "its extent ahead".into()));
+    dimensions.push(dimension(
         1,
         [layout.foot[1], layout.centre[1]],
         format!("its centre to the {beside} of the joint-1 axis"),
     ));
     if !is_flat(aside) {
-        told.push(dimension(1, aside, "its extent sideways".into()));
+        dimensions.push(dimension(1, aside, "its extent sideways".into()));
     }
-    told
+    dimensions
 }

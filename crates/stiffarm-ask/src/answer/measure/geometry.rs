@@ -1,4 +1,4 @@
-//! How is a plan of postures told in which an arm is measured to be calibrated?
+//! How is a plan of postures reported in which an arm is measured to be calibrated?
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
@@ -164,11 +164,11 @@ impl GeometryAnswer {
 
     /// Points on the axis of joint 6 do not move with it.
     fn on_axis_note(&self) -> &'static str {
-        /// m: nearer to it the zero of joint 6 cannot be told.
+        /// m: nearer to it the zero of joint 6 cannot be found.
         const NEAR: f64 = 1e-3;
         if self.options.markers.iter().any(|at| NEAR < at.xy().norm()) {
             return "";
         }
-        "all points lie on the axis of joint 6, so nothing is told of its zero: a point aside of it does (--marker-mm)\n"
+        "all points lie on the axis of joint 6, so they show nothing of its zero: a point aside of it does (--marker-mm)\n"
     }
 }

@@ -1,4 +1,4 @@
-//! How is a plan of measurements told?
+//! How is a plan of measurements reported?
 
 mod geometry;
 
@@ -17,7 +17,7 @@ use stiffarm::spatial::Pose;
 
 pub use geometry::GeometryAnswer;
 
-/// What a plan is judged by, and how many of the unit in which that is told are one in SI: (um/N)^2, or nothing of parts.
+/// What a plan is judged by, and how many of the unit in which that is reported are one in SI: (um/N)^2, or nothing of parts.
 const fn judged(criterion: Criterion) -> (&'static str, f64) {
     match criterion {
         Criterion::Prediction => ("mean variance of the predicted deflection over the work", 1e12),
@@ -63,7 +63,7 @@ pub struct DrawnLoad {
     /// Where it acts, and where it points, of length 1 or less where it leaves the plane of the arm.
     pub arrow: [[f64; 2]; 2],
     /// In words.
-    pub told: String,
+    pub text: String,
     /// How far the marker that moves most is expected to move, mm.
     pub expected_mm: f64,
 }
@@ -129,7 +129,7 @@ impl MeasureAnswer {
             let load = |seen: &Seen| {
                 Some(DrawnLoad {
                     arrow: [seen.at(&self.options.load_at), seen.aside(&way.along)],
-                    told: format!("{} N {}", fixed(self.options.newtons, 0), way.name),
+                    text: format!("{} N {}", fixed(self.options.newtons, 0), way.name),
                     expected_mm: Unit::Millimetre.of_si(largest(run)),
                 })
             };

@@ -125,16 +125,16 @@ impl MillAnswer {
                 "the calibration itself leaves",
                 format!("{} rms where it was not measured", mm(known.left_out)),
             ));
-            lines.extend(beyond(found).map(|told| line("BEYOND LIMITS", told)));
+            lines.extend(beyond(found).map(|sentence| line("BEYOND LIMITS", sentence)));
         }
         lines.extend(self.drawn_error().map(|DrawnError { median, p95 }| {
-            let told = format!(
+            let text = format!(
                 "{} (median), {} (95 %) by the geometry of arms that nobody has calibrated, the work found as {}: not in the error",
                 mm(median),
                 mm(p95),
                 self.work_frame.name()
             );
-            line("besides", told)
+            line("besides", text)
         }));
         lines
     }

@@ -153,7 +153,7 @@ impl MillAnswer {
 /// What was read beside a path.
 #[derive(Clone, Debug, Default)]
 pub struct Beside {
-    /// The process with the name of its file; `None` where the force is told as such.
+    /// The process with the name of its file; `None` where the force is given as such.
     pub process: Option<(String, ProcessFile)>,
     /// Part and fixture, where their meshes are given.
     pub bodies: Bodies,
@@ -306,7 +306,7 @@ fn forcing(
             .to_owned();
         asked.refused(opt::FORCE_N, why)
     })?;
-    let told = match acting {
+    let text = match acting {
         Acting::Any(newtons) => format!("{} N in its worst direction", fixed(newtons, 1)),
         Acting::Known { force: [feed, across, axial], .. } => {
             format!(
@@ -317,5 +317,5 @@ fn forcing(
             )
         }
     };
-    Ok((Forcing::Same(acting), told, Vec::new()))
+    Ok((Forcing::Same(acting), text, Vec::new()))
 }

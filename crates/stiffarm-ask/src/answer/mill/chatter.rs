@@ -1,4 +1,4 @@
-//! How is it told whether the cuts of a path swing?
+//! Do the cuts of a path swing?
 
 use std::collections::BTreeSet;
 
@@ -35,7 +35,7 @@ pub(super) struct AskedChatter {
 pub struct PathChatterAnswer {
     /// At every station.
     pub samples: Vec<Judged>,
-    /// Where the critical depth is least in proportion to that of the cut, with all that is told of it; `None` where no sample is covered.
+    /// Where the critical depth is least in proportion to that of the cut, with all that is known of it; `None` where no sample is covered.
     pub worst: Option<(usize, Box<ChatterAnswer>)>,
     /// The roll with which the cut of that sample would go deepest.
     pub deepest: Option<DeepestRoll>,
@@ -45,7 +45,7 @@ impl AskedChatter {
     /// Of a request, its robot, and the process of its tool with the name of its file; `None` where it is not asked.
     ///
     /// # Errors
-    /// A robot or a process of which it cannot be told.
+    /// A robot or a process of which it cannot be computed.
     pub(super) fn of(
         asked: &Request,
         robot: &Robot,
@@ -93,7 +93,7 @@ impl PathChatterAnswer {
         ]
     }
 
-    /// Of one sample: a depth is absent where it is beyond the longest edge, and where nothing is told; the last cell says which.
+    /// Of one sample: a depth is absent where it is beyond the longest edge, and where nothing is known; the last cell says which.
     pub(super) fn cells(&self, sample: usize) -> [Cell; 3] {
         match self.samples[sample] {
             Judged::Rapid => [Cell::Absent, Cell::Absent, Cell::Absent],
@@ -119,10 +119,10 @@ impl PathChatterAnswer {
 impl MillAnswer {
     /// What is not covered: why, at how many samples, and on which lines.
     fn uncovered(&self) -> Vec<(Uncovered, usize, BTreeSet<usize>)> {
-        let Some(told) = &self.chatter else { return Vec::new() };
+        let Some(chatter) = &self.chatter else { return Vec::new() };
         let of = |why: Uncovered| {
             let there = || {
-                let samples = self.stations.iter().zip(&told.samples);
+                let samples = self.stations.iter().zip(&chatter.samples);
                 samples.filter(move |(_, judged)| **judged == Judged::Uncovered(why)).map(|(station, _)| station)
             };
             (why, there().count(), there().map(|station| station.sample.line).filter(|line| 0 < *line).collect())
@@ -138,14 +138,14 @@ impl MillAnswer {
 
     /// In words; never that a cut is stable.
     pub fn chatter_verdict(&self) -> Option<String> {
-        let told = self.chatter.as_ref()?;
-        let of_robot = match &told.worst {
+        let chatter = self.chatter.as_ref()?;
+        let of_robot = match &chatter.worst {
             None => "not covered: no cut of which anything is known".to_owned(),
             Some((worst, found)) => format!("{} at the worst sample, {}", found.of_robot(), self.at_sample(*worst)),
         };
         let uncovered: usize = self.uncovered().iter().map(|(_, count, _)| count).sum();
         let uncovered = if 0 < uncovered { format!("; {uncovered} samples are not covered") } else { String::new() };
-        let measured = told.worst.as_ref().and_then(|(_, found)| found.chatter.measured.as_ref());
+        let measured = chatter.worst.as_ref().and_then(|(_, found)| found.chatter.measured.as_ref());
         Some(format!("{of_robot}{uncovered}; {}", besides(measured)))
     }
 
@@ -159,7 +159,7 @@ impl MillAnswer {
 
     /// As fields.
     pub(super) fn chatter_record(&self) -> Option<Record> {
-        let told = self.chatter.as_ref()?;
+        let chatter = self.chatter.as_ref()?;
         let uncovered = |(why, count, lines): (Uncovered, usize, BTreeSet<usize>)| {
             let mut record = Record::of(&shape::UNCOVERED_SAMPLES);
             record
@@ -168,19 +168,19 @@ impl MillAnswer {
                 .put(field::UNCOVERED_LINES, json!(lines));
             record
         };
-        let (worst, found) = told.worst.as_ref().map(|(worst, found)| (*worst, found.as_ref())).unzip();
+        let (worst, found) = chatter.worst.as_ref().map(|(worst, found)| (*worst, found.as_ref())).unzip();
         let mut record = Record::of(&shape::PATH_CHATTER);
         record
             .put(field::PATH_CHATTER_VERDICT, self.chatter_verdict())
-            .put(field::COVERED, told.covered())
+            .put(field::COVERED, chatter.covered())
             .put(field::NOT_COVERED, self.uncovered().into_iter().map(uncovered).collect::<Datum>())
-            .put(field::MEAN_MISLEADS, told.misled())
+            .put(field::MEAN_MISLEADS, chatter.misled())
             .put(field::CHATTER_SAMPLE, worst)
             .put(field::CHATTER_LINE, worst.map(|worst| self.stations[worst].sample.line))
             .put(field::JOINTS, found.map(|found| found.joints_deg))
             .put(field::FEED_DIRECTION, found.map(ChatterAnswer::feed));
         ChatterAnswer::put_cut(found, &mut record);
-        let deepest = told.deepest.as_ref();
+        let deepest = chatter.deepest.as_ref();
         let all_along = deepest.and_then(|deepest| deepest.all_along);
         record
             .put(field::DEEPEST_ROLL, deepest.map(|deepest| deepest.roll))
@@ -194,9 +194,9 @@ impl MillAnswer {
 
     /// As people read it.
     pub(super) fn chatter_lines(&self) -> Vec<Line> {
-        let (Some(told), Some(verdict)) = (&self.chatter, self.chatter_verdict()) else { return Vec::new() };
+        let (Some(chatter), Some(verdict)) = (&self.chatter, self.chatter_verdict()) else { return Vec::new() };
         let mut lines = vec![line("chatter", verdict)];
-        lines.extend(told.worst.iter().flat_map(|(_, found)| found.lines()));
+        lines.extend(chatter.worst.iter().flat_map(|(_, found)| found.lines()));
         lines.extend(self.deepest_line());
         lines.extend(self.uncovered().into_iter().map(|(why, count, at)| {
             let named: Vec<String> = at.iter().take(MOST_LINES).map(ToString::to_string).collect();
@@ -205,21 +205,21 @@ impl MillAnswer {
             let on = if at.is_empty() { String::new() } else { format!(", line {}{more}", named.join(", ")) };
             line("chatter not covered", format!("{}: {count} samples{on}", why.name()))
         }));
-        if 0 < told.misled() {
-            let told = format!(
+        if 0 < chatter.misled() {
+            let text = format!(
                 "at {} samples, where teeth cut shortly and pass slowly; only the worst by the mean is counted tooth by tooth",
-                told.misled()
+                chatter.misled()
             );
-            lines.push(line("mean over a revolution misleads", told));
+            lines.push(line("mean over a revolution misleads", text));
         }
         lines
     }
 
     /// What another roll would do at the worst sample, and all along.
     fn deepest_line(&self) -> Option<Line> {
-        let told = self.chatter.as_ref()?;
-        let (deepest, (worst, _)) = told.deepest.as_ref().zip(told.worst.as_ref())?;
-        let (found, Judged::Cut { critical, .. }) = (self.followed()?, &told.samples[*worst]) else { return None };
+        let chatter = self.chatter.as_ref()?;
+        let (deepest, (worst, _)) = chatter.deepest.as_ref().zip(chatter.worst.as_ref())?;
+        let (found, Judged::Cut { critical, .. }) = (self.followed()?, &chatter.samples[*worst]) else { return None };
         let depth = |edge: Option<Edge>| edge.map_or(f64::INFINITY, |edge| edge.depth);
         if depth(deepest.edge) <= depth(critical.edge) {
             return Some(line("rolled otherwise", "no other roll lets that cut go deeper"));
@@ -257,9 +257,9 @@ impl MillAnswer {
 
     /// What it rests on, a line each.
     pub(super) fn chatter_basis(&self) -> String {
-        let worst = self.chatter.as_ref().and_then(|told| told.worst.as_ref());
+        let worst = self.chatter.as_ref().and_then(|chatter| chatter.worst.as_ref());
         worst.map_or_else(String::new, |(_, found)| {
-            let lines = found.basis().into_iter().map(|told| format!("chatter: {told}\n"));
+            let lines = found.basis().into_iter().map(|sentence| format!("chatter: {sentence}\n"));
             lines.collect()
         })
     }

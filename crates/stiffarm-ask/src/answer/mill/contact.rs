@@ -1,4 +1,4 @@
-//! What is told of what the arm touches along a path.
+//! What is reported of what the arm touches along a path.
 
 use std::ops::Range;
 
@@ -10,8 +10,8 @@ use super::MillAnswer;
 use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
 use stiffarm::mill::{ClearOf, Contact, PathClearance};
 
-/// So many contacts are told to people.
-const TOLD: usize = 6;
+/// So many contacts are shown to people.
+const MOST_SHOWN: usize = 6;
 
 impl MillAnswer {
     /// How near the arm comes to anything; `None` where the path is not followed, or nobody asked.
@@ -80,7 +80,7 @@ impl MillAnswer {
             format!("{} mm apart, {} mm asked", fixed((asked - contact.depth) * 1e3, 1), fixed(asked * 1e3, 1))
         } else {
             let of = if asked == 0.0 { "a touch".into() } else { format!("less than {} mm", fixed(asked * 1e3, 1)) };
-            format!("{} mm apart, which is not told from {of}", fixed((asked - contact.depth) * 1e3, 1))
+            format!("{} mm apart, which is not distinguished from {of}", fixed((asked - contact.depth) * 1e3, 1))
         };
         format!("{at}{} mm along the path, {}: {how}", fixed(sample.way * 1e3, 1), bodies(contact.link, contact.to))
     }
@@ -147,10 +147,12 @@ impl MillAnswer {
                 format!("{apart} mm at {} samples and between them, {}", nearest.poses, clearance_between(nearest)),
             )
         });
-        let unavoidable = self.unavoidable_sentence().map(|told| line(self.called(found.unavoidable.as_ref()), told));
+        let unavoidable =
+            self.unavoidable_sentence().map(|sentence| line(self.called(found.unavoidable.as_ref()), sentence));
         let others = || found.contacts.iter().filter(|contact| Some(*contact) != found.unavoidable.as_ref());
-        let contacts = others().take(TOLD).map(|contact| line(self.called(Some(contact)), self.sentence(contact)));
-        let more = others().count().saturating_sub(TOLD);
+        let contacts =
+            others().take(MOST_SHOWN).map(|contact| line(self.called(Some(contact)), self.sentence(contact)));
+        let more = others().count().saturating_sub(MOST_SHOWN);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
         nearest.into_iter().chain(unavoidable).chain(contacts).chain(more).collect()
     }
@@ -169,17 +171,17 @@ impl MillAnswer {
         let is_bare = !part && !stock;
         let unknown =
             named(&[("part", is_bare), ("the block that is cut away", part && !stock), ("fixtures", !fixture)]);
-        let mut told = Vec::new();
+        let mut notes = Vec::new();
         if cutter.is_none() && !(is_bare && !fixture) {
-            told.push(format!(
+            notes.push(format!(
                 "how far the cutter stands out of the spindle is not known (stick-out-mm), so that the tool is not compared with the {}",
                 named(&[("part", part), ("stock", stock), ("fixture", fixture)])
             ));
         } else if !is_bare {
-            told.push(format!("the cutter may touch the {}", named(&[("part", part), ("stock", stock)])));
+            notes.push(format!("the cutter may touch the {}", named(&[("part", part), ("stock", stock)])));
         }
         if fixture && cutter.is_some_and(|cutter| cutter.radius == 0.0) {
-            told.push(
+            notes.push(
                 "how thick the cutter is is not known (process), so that its axis alone keeps clear of the fixture"
                     .into(),
             );
@@ -189,9 +191,9 @@ impl MillAnswer {
             (false, true) => format!("{unknown} is not known, and "),
             (false, false) => format!("{unknown} are not known, and "),
         };
-        told.push(format!("{unknown}the first move of a program, in joints, is checked by nobody"));
-        let told = told.join("; ");
-        format!("clearance: {}, at every sample and between them; {told}", links_are(&self.robot))
+        notes.push(format!("{unknown}the first move of a program, in joints, is checked by nobody"));
+        let notes = notes.join("; ");
+        format!("clearance: {}, at every sample and between them; {notes}", links_are(&self.robot))
     }
 
     /// What a manager would read of it.

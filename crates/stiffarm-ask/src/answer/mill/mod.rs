@@ -1,4 +1,4 @@
-//! What is told of a path that is milled: the error along it, how the tool is turned, where the part stands.
+//! What is reported of a path that is milled: the error along it, how the tool is turned, where the part stands.
 
 mod arm;
 mod asked;
@@ -100,7 +100,7 @@ pub enum MillAnswerError {
     /// What is asked makes no sense.
     #[error(transparent)]
     Request(#[from] Refusal),
-    /// Of a stock nothing can be told.
+    /// A stock of which nothing can be computed.
     #[error("stock: {0}")]
     Stock(#[from] StockError),
     /// Of a process no force is known.
@@ -111,7 +111,7 @@ pub enum MillAnswerError {
         /// Why.
         error: ForcedError,
     },
-    /// Whether its cuts swing cannot be told.
+    /// Whether its cuts swing cannot be computed.
     #[error("{process}: {error}")]
     Chatter {
         /// Its file, and the tool where there are several.
@@ -275,8 +275,8 @@ impl MillAnswer {
         let (tolerance, verdict) = self.tolerance_mm.zip(self.milled_verdict())?;
         let what = if self.compensation.is_some() { " left after compensation" } else { "" };
         (!verdict.passes).then(|| {
-            let told = fixed(tolerance - verdict.margin_mm, 4);
-            format!("{}: {told} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.path)
+            let error = fixed(tolerance - verdict.margin_mm, 4);
+            format!("{}: {error} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.path)
         })
     }
 }

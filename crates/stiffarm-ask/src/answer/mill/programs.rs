@@ -135,7 +135,7 @@ impl MillAnswer {
         let arm = TrueArm::of(&self.robot);
         let controller = self.controller(arm.as_ref())?;
         self.check_contact()?;
-        let mut remarks: Vec<String> = controller.of_calibration().iter().map(|told| (*told).to_owned()).collect();
+        let mut remarks: Vec<String> = controller.of_calibration().iter().map(|remark| (*remark).to_owned()).collect();
         remarks.push(format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)));
         remarks.push(controller.corrections().to_owned());
         remarks.extend(self.arm_remarks());
@@ -146,7 +146,7 @@ impl MillAnswer {
             let is_known = next < self.stations.len();
             let tip = if is_known { self.sent(next) } else { None }.map_or(sample.pose.tip, |(_, pose)| pose.tip);
             next += 1;
-            // A file of three axes holds tips; what that leaves is told.
+            // A file of three axes holds tips; what that leaves is reported.
             ToolPose { tip, axis: sample.pose.axis }
         };
         Ok(rewrite(original, output, &how, &mut corrected, &mut |_| Ok(()))?)

@@ -179,7 +179,7 @@ impl PathRankAnswer {
         };
         let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 3));
         let value = best.proved().map_or(0.0, |[_, value]| value);
-        let mut told = vec![format!(
+        let mut sentences = vec![format!(
             "The smallest error along {} is that of {}: {}.",
             self.path,
             best.robot.full_name(),
@@ -187,9 +187,9 @@ impl PathRankAnswer {
         )];
         if !rivals.is_empty() {
             let names = named(rivals.iter().map(|row| row.robot.name.clone()).collect());
-            told.push(format!("By the proof it cannot be distinguished from {names}."));
+            sentences.push(format!("By the proof it cannot be distinguished from {names}."));
         }
-        told.extend(self.tolerance_mm.map(|tolerance| {
+        sentences.extend(self.tolerance_mm.map(|tolerance| {
             let name = |row: &PathRow| {
                 let probability = row.milled.as_ref().ok().and_then(|milled| milled.verdict()?.probability);
                 let sure = probability.map_or_else(String::new, |known| format!(" (P {})", verdict::percent(known)));
@@ -203,8 +203,8 @@ impl PathRankAnswer {
             }
         }));
         let known = self.rows.iter().filter_map(|row| Some((row.robot.name.as_str(), row.chances?))).collect();
-        told.extend(uncertainty::sentence(&self.path, known));
-        told
+        sentences.extend(uncertainty::sentence(&self.path, known));
+        sentences
     }
 
     /// What a path that is followed must do besides, where some robot does not.
@@ -234,8 +234,8 @@ impl PathRankAnswer {
 fn named(names: Vec<String>) -> String {
     const MOST: usize = 10;
     let more = names.len().saturating_sub(MOST);
-    let told = names.into_iter().take(MOST).collect::<Vec<_>>().join(", ");
-    if more == 0 { told } else { format!("{told} and {more} more") }
+    let listed = names.into_iter().take(MOST).collect::<Vec<_>>().join(", ");
+    if more == 0 { listed } else { format!("{listed} and {more} more") }
 }
 
 /// The robots in order.

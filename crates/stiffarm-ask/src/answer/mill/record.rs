@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::super::cell as told_cell;
+use super::super::cell as cell_report;
 use super::super::path::corners;
 use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
@@ -36,7 +36,7 @@ impl MillAnswer {
             .put(field::ASKED_SINGULAR_MARGIN, options.singular_margin)
             .put(field::SPEED_SHARE, self.speeds().map(|_| options.share_of_speed))
             .put(field::CLEAR_OF_BASE, self.column())
-            .put(field::ROBOT_CELL, self.ground.cell.map(|cell| told_cell::record(&cell, &self.robot)));
+            .put(field::ROBOT_CELL, self.ground.cell.map(|cell| cell_report::record(&cell, &self.robot)));
         self.put_place(&mut record);
         record
             .put(field::FEASIBLE, found.is_some())
@@ -194,7 +194,7 @@ impl MillAnswer {
                 cells.extend(joints.map(|q| Cell::Number(q.to_degrees() + 0.0)));
                 cells.extend(pose.tip.iter().map(|x| Cell::Number(x * 1e3 + 0.0)));
             }
-            cells.extend(self.chatter.iter().flat_map(|told| told.cells(i)));
+            cells.extend(self.chatter.iter().flat_map(|chatter| chatter.cells(i)));
             cells
         })
     }
@@ -210,7 +210,7 @@ impl MillAnswer {
             Some(Acting::Known { force, moment }) => (Some(force), number(moment)),
             _ => (None, Cell::Absent),
         };
-        // As the tip is told: in the axes of the part.
+        // As the tip is given: in the axes of the part.
         let stand = self.placement.map(|placement| Stand {
             base_from_part: placement.base_from_part(),
             flange_from_tool: self.flange_from_tool,
@@ -259,14 +259,14 @@ fn fed_back(found: &FedBack) -> Record {
 
 /// What is commanded, and what is left.
 fn compensated(Compensation { done, remaining }: &Compensation, verdict: Option<Verdict>) -> Record {
-    let told = remaining.as_ref().map(|(remaining, _)| remaining);
+    let residual = remaining.as_ref().map(|(remaining, _)| remaining);
     let mut record = Record::of(&shape::COMPENSATED_PATH);
     record
         .put(field::LARGEST_CORRECTION, done.largest)
         .put(field::LEFT_BY_JOINTS, done.by_joints)
         .put(field::LEFT_BY_TIPS, Some(done.by_tips()).filter(|left| left.is_finite()))
-        .put(field::LEFT_MEDIAN, told.map(|told| told.median))
-        .put(field::LEFT_P95, told.map(|told| told.p95))
+        .put(field::LEFT_MEDIAN, residual.map(|residual| residual.median))
+        .put(field::LEFT_P95, residual.map(|residual| residual.p95))
         .put(field::UNCERTAIN, remaining.as_ref().map(|(_, who)| who))
         .put(field::VERDICT, verdict.map(Verdict::word))
         .put(field::PROBABILITY, verdict.and_then(|verdict| verdict.probability))

@@ -1,6 +1,6 @@
 //! A path that is milled, as people read it.
 
-use super::super::cell as told_cell;
+use super::super::cell as cell_report;
 use super::super::margins;
 use super::super::path::within;
 use super::super::stiffness::{self, stiffness};
@@ -85,8 +85,8 @@ impl MillAnswer {
         let mut lines = Vec::new();
         if let Some(cell) = cell {
             // Where the place is given, windows are none.
-            let told = told_cell::lines(&cell, &within.unwrap_or(Within::ANYWHERE));
-            lines.extend(told.into_iter().take(if self.search.is_some() { usize::MAX } else { 1 }));
+            let cell_lines = cell_report::lines(&cell, &within.unwrap_or(Within::ANYWHERE));
+            lines.extend(cell_lines.into_iter().take(if self.search.is_some() { usize::MAX } else { 1 }));
         }
         let column = margins::column(&margins, &self.robot).filter(|_| self.search.is_some());
         lines.extend(column.map(|kept| line("the path keeps", kept)));
@@ -117,11 +117,11 @@ impl MillAnswer {
         lines.extend(self.fed_back.as_ref().map(|found| {
             let back =
                 format!("the cut gives back at most {} % of a displacement", fixed(100.0 * found.contraction, 1));
-            let told = match found.unsettled {
+            let text = match found.unsettled {
                 0 => format!("{}: {back}", mm(found.worst)),
                 count => format!("DOES NOT SETTLE at {count} samples: {back}, the tool is drawn in"),
             };
-            line("as the cut changes by it", told)
+            line("as the cut changes by it", text)
         }));
         lines.extend(uncertainty::row(&self.robot, self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
@@ -129,12 +129,12 @@ impl MillAnswer {
         lines.push(line(format!("lower bound {}", self.which_rolls()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.search {
             let PathResolution { coarse, step, samples, nodes } = resolution;
-            let told = if 0.0 < lower {
+            let text = if 0.0 < lower {
                 format!("{}, by {nodes} boxes of places", proved(lower))
             } else {
                 format!("not proved: {nodes} boxes of places are too few for a bound")
             };
-            lines.push(line("proved lower bound", told));
+            lines.push(line("proved lower bound", text));
             lines.extend(self.ground.cell.as_ref().and_then(proof_of));
             let step = fixed(step * 1e3, 1);
             let search =
@@ -184,10 +184,10 @@ impl MillAnswer {
                     self.stations.iter().zip(&found.samples).filter(|(_, pushed)| tolerance < pushed.error * 1e3);
                 let lines_over: std::collections::BTreeSet<usize> =
                     over.map(|(station, _)| station.sample.line).collect();
-                let told: Vec<String> = lines_over.iter().take(8).map(ToString::to_string).collect();
+                let numbers: Vec<String> = lines_over.iter().take(8).map(ToString::to_string).collect();
                 let more =
                     if 8 < lines_over.len() { format!(" and {} more", lines_over.len() - 8) } else { String::new() };
-                lines.push(line("lines over it", format!("{}{more}", told.join(", "))));
+                lines.push(line("lines over it", format!("{}{more}", numbers.join(", "))));
             }
         }
         lines.extend(self.chatter_lines());
@@ -210,8 +210,8 @@ impl MillAnswer {
         ];
         match remaining {
             Some((Remaining { median, p95, all, .. }, what)) => {
-                let told = format!("{}; {} ({} draws of {what})", mm(*median), mm(*p95), all.len());
-                lines.push(line(EXPECTED_RESIDUAL, told));
+                let text = format!("{}; {} ({} draws of {what})", mm(*median), mm(*p95), all.len());
+                lines.push(line(EXPECTED_RESIDUAL, text));
                 let verdict = self.tolerance_mm.zip(self.compensated_verdict());
                 lines.extend(verdict.map(|(tolerance, verdict)| {
                     let is_alone = verdict.passes && verdict.is_of_drives_alone;
@@ -226,11 +226,11 @@ impl MillAnswer {
         }
         if let Some(first) = done.beyond.first() {
             let at = self.stations[*first].sample.line;
-            let told = format!(
+            let text = format!(
                 "{} samples command a joint beyond its range, the first at line {at}: no program is written",
                 done.beyond.len()
             );
-            lines.push(line("BEYOND LIMITS", told));
+            lines.push(line("BEYOND LIMITS", text));
         }
         lines
     }
@@ -244,7 +244,7 @@ impl MillAnswer {
         };
         let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n{}", self.arm_note()));
         let swings = self.chatter_basis();
-        let carrying = told_cell::carrying([&self.robot].into_iter(), self.ground.cell.as_ref());
+        let carrying = cell_report::carrying([&self.robot].into_iter(), self.ground.cell.as_ref());
         format!(
             "{holds}all six drives compliant, everything else rigid; {force}\n{}\n{carrying}{swings}",
             self.looked_at()
@@ -258,7 +258,7 @@ const EXPECTED_RESIDUAL: &str = "expected residual (median; 95 %)";
 /// Of which places a bound is, where a cell takes some away.
 fn proof_of(cell: &Cell) -> Option<Line> {
     if cell.mount.is_vertical() {
-        return told_cell::proof(cell);
+        return cell_report::proof(cell);
     }
     Some(line("proof", "of all places in the windows; keep-outs only take places away"))
 }

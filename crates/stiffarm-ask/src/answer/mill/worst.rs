@@ -7,9 +7,9 @@ use super::super::{Table, fixed};
 use super::MillAnswer;
 use stiffarm::mill::{Acting, Pushed, Station};
 
-/// So many lines are told; every sample stands in the rows.
+/// So many lines are shown; every sample stands in the rows.
 const MOST_LINES: usize = 15;
-/// A path that has no lines is told in so many parts.
+/// A path that has no lines is shown in so many parts.
 const PARTS: usize = 12;
 
 impl MillAnswer {

@@ -1,4 +1,4 @@
-//! How is a placement told?
+//! How is a placement reported?
 
 mod record;
 mod table;
@@ -88,8 +88,8 @@ impl PlaceAnswer {
         }
         let tolerance = (*tolerance_mm)?;
         let fails = !Verdict::of(best.deflection, tolerance).passes;
-        let told = fixed(best.deflection * 1e3, 4);
-        fails.then(|| format!("{}: {told} mm on {}, tolerance {tolerance} mm", robot.name, task.label))
+        let deflection = fixed(best.deflection * 1e3, 4);
+        fails.then(|| format!("{}: {deflection} mm on {}, tolerance {tolerance} mm", robot.name, task.label))
     }
 
     /// What the robot must hold.

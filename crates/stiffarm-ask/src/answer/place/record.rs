@@ -1,6 +1,6 @@
 //! A placement field by field.
 
-use super::super::cell as told_cell;
+use super::super::cell as cell_report;
 use super::super::uncertainty::Known;
 use super::super::verdict::Verdict;
 use super::super::words::tool_mm;
@@ -109,9 +109,9 @@ fn asked(record: &mut Record, robot: &Robot, model: &ModelKind, options: &PlaceO
     let ends = |range: Interval| [range.min(), range.max()].map(|end| end.is_finite().then_some(end));
     record
         .put(field::TOOL, flange_from_tool.map(tool_mm))
-        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(told_cell::elevation(options))))
+        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(cell_report::elevation(options))))
         .put(field::WITHIN, if in_cell { Datum::Absent } else { Datum::Numbers([ends(x), ends(z)].concat()) })
-        .put(field::ROBOT_CELL, options.cell.map(|cell| told_cell::record(&cell, robot)));
+        .put(field::ROBOT_CELL, options.cell.map(|cell| cell_report::record(&cell, robot)));
     margins::put(record, options, robot);
 }
 

@@ -1,6 +1,6 @@
 //! A placement for people.
 
-use super::super::cell as told_cell;
+use super::super::cell as cell_report;
 use super::super::stiffness::{self, stiffness};
 use super::super::verdict::HOLDS;
 use super::super::words::{COLUMN, degrees, direction, fixed, percentages, tool};
@@ -27,7 +27,7 @@ impl PlaceAnswer {
             }
             ModelKind::Planar => lines.push(line("task", format!("{zone}, {}", words::UPRIGHT))),
             ModelKind::Spatial(flange_from_tool) => {
-                lines.push(line("task", format!("{zone}, {}", direction(told_cell::elevation(&self.options)))));
+                lines.push(line("task", format!("{zone}, {}", direction(cell_report::elevation(&self.options)))));
                 lines.push(line("tool", tool(flange_from_tool)));
             }
         }
@@ -72,8 +72,8 @@ impl PlaceAnswer {
                 vec![line("allowed place", allowed)]
             }
             Some(cell) => {
-                let lines = told_cell::lines(&cell, &options.within(model)).into_iter();
-                lines.chain(told_cell::proof(&cell)).collect()
+                let lines = cell_report::lines(&cell, &options.within(model)).into_iter();
+                lines.chain(cell_report::proof(&cell)).collect()
             }
         }
     }
@@ -81,10 +81,10 @@ impl PlaceAnswer {
     /// The same in one line.
     pub(in crate::answer) fn allowed(&self) -> String {
         let lines = self.allowed_lines();
-        let told = lines
+        let parts = lines
             .iter()
             .map(|[name, says]| if name == "allowed place" { says.clone() } else { format!("{name}: {says}") });
-        told.collect::<Vec<_>>().join("; ")
+        parts.collect::<Vec<_>>().join("; ")
     }
 
     /// What stands below the table.
@@ -98,7 +98,7 @@ impl PlaceAnswer {
         };
         let around = match self.model {
             ModelKind::Planar => String::new(),
-            ModelKind::Spatial(_) => told_cell::known_about([&self.robot].into_iter(), self.options.cell.as_ref()),
+            ModelKind::Spatial(_) => cell_report::known_about([&self.robot].into_iter(), self.options.cell.as_ref()),
         };
         // The plane has no joint angles to tell.
         let pendant = match self.model {
@@ -257,7 +257,7 @@ fn proof(best: &Placement, options: &PlaceOptions) -> String {
     let asked = options.gap();
     match best.space().map(|hold| hold.resolution.boxes) {
         None if gap < 1e-11 => format!("{lower:.4} mm (exact)"),
-        // So near to the gap that was asked for the digits that are told agree.
+        // So near to the gap that was asked for the digits that are shown agree.
         None if asked * 1.05 < gap => {
             format!("{lower:.4} mm (gap {gap:.1e}; {asked:.1e} was asked for and took more boxes than are looked at)")
         }

@@ -62,6 +62,6 @@ impl RankAnswer {
     }
 }
 
-fn or_dash(best: Option<&Placement>, told: impl Fn(&Placement) -> Option<String>) -> String {
-    best.and_then(told).unwrap_or_else(|| "-".into())
+fn or_dash(best: Option<&Placement>, text: impl Fn(&Placement) -> Option<String>) -> String {
+    best.and_then(text).unwrap_or_else(|| "-".into())
 }

@@ -104,8 +104,8 @@ impl RankAnswer {
             );
         }
         let fails = |row: &Row, task: usize| {
-            let told = self.tolerance_mm.zip(row.deflection(task));
-            told.is_some_and(|(tolerance, deflection)| !Verdict::of(deflection, tolerance).passes)
+            let compared = self.tolerance_mm.zip(row.deflection(task));
+            compared.is_some_and(|(tolerance, deflection)| !Verdict::of(deflection, tolerance).passes)
         };
         if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| fails(row, task))) {
             return format!(
@@ -135,7 +135,7 @@ impl RankAnswer {
         let ties = |task: usize| uncertainty::ties(&self.chances, task);
         let is_alone = |task: usize| ranking.rivals(task).is_empty() && ties(task) < 2;
         let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
-        let undecided = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties(task)));
+        let undecided = |task: usize| self.undistinguished(task).or_else(|| self.tied_by_drives(task, ties(task)));
         let open: Vec<String> = (0..ranking.tasks.len()).filter_map(undecided).collect();
         match (decided.as_slice(), open.is_empty()) {
             (decided, true) => format!("{under} take {}.", list(decided)),
@@ -170,7 +170,7 @@ impl RankAnswer {
     }
 
     /// The best of a task with all that may be as good, where there are some.
-    fn not_told_apart(&self, task: usize) -> Option<String> {
+    fn undistinguished(&self, task: usize) -> Option<String> {
         let (best, rivals) = (self.ranking.best_published(task)?, self.ranking.rivals(task));
         let (first, others) = rivals.split_first()?;
         let named = |row: &Row| {
@@ -259,8 +259,8 @@ impl RankAnswer {
             let advised = (0..row.cells.len()).filter_map(|task| Some((task, self.advised(at, task)?)));
             let (task, found) = advised.max_by(|a, b| value(a.0).total_cmp(&value(b.0)))?;
             let asked = &self.ranking.tasks[task];
-            let told = advice::sentence(found, (asked, self.ranking.load));
-            Some(format!("{} on {}: {told}.", row.robot.full_name(), asked.label))
+            let text = advice::sentence(found, (asked, self.ranking.load));
+            Some(format!("{} on {}: {text}.", row.robot.full_name(), asked.label))
         };
         self.ranking.rows.iter().enumerate().filter_map(of).collect()
     }

@@ -5,7 +5,7 @@ use super::{shapes, slots};
 
 shapes! {
     COMPARISON: "ComparisonDict", "What `compare` answers.", &[slots![
-        SETUP_A => PLACEMENT, SETUP_B => PLACEMENT, SETUP_RATIO | null, TOLD_APART, BETTER_SETUP | null, WIN_PROBABILITY | null,
+        SETUP_A => PLACEMENT, SETUP_B => PLACEMENT, SETUP_RATIO | null, DISTINGUISHED, BETTER_SETUP | null, WIN_PROBABILITY | null,
         DIFFERENT, SUMMARY,
     ]];
 }

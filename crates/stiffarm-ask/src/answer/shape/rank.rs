@@ -12,7 +12,7 @@ shapes! {
         &[OF_ROBOT, OF_STANDING, OF_CHANCES, slots![CELLS => PLACEMENT_IN_RANKING]];
     STANDING: "Standing", "Where a robot stands among others.", &[OF_STANDING];
     WINNER: "Winner", "Who is best at a task.", &[slots![
-        TASK, BEST | null, TOLD_APART | null, RIVALS, BEST_WITH_ESTIMATED | null, BEST_SERIAL | null, BEST_QUASI_SERIAL | null,
+        TASK, BEST | null, DISTINGUISHED | null, RIVALS, BEST_WITH_ESTIMATED | null, BEST_SERIAL | null, BEST_QUASI_SERIAL | null,
     ]];
 }
 

@@ -107,7 +107,7 @@ impl MillOutput<'_> {
         let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
         let shown = answer
             .deepest_sentence()
-            .map_or_else(|| "at the worst sample".into(), |told| format!("where it touches deepest ({told})"));
+            .map_or_else(|| "at the worst sample".into(), |sentence| format!("where it touches deepest ({sentence})"));
         let clear_of = answer.options.clear_of.as_ref();
         Ok(View {
             title: format!("{} along {}", answer.robot.full_name(), answer.path),

@@ -109,7 +109,7 @@ mod tests {
     /// The first example of FIPS 180-2.
     #[test]
     fn a_digest_is_that_of_the_standard() {
-        let told = digest(&mut &b"abc"[..]).unwrap();
-        assert_eq!(told, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+        let hex = digest(&mut &b"abc"[..]).unwrap();
+        assert_eq!(hex, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     }
 }

@@ -51,7 +51,7 @@ fn swings(answer: &MillAnswer, asked: FigureSize) -> Option<Section> {
     let verdict = answer.chatter_verdict()?;
     let mut section = Section::new("Whether the cuts swing with the arm");
     section.text(format!("{verdict}. A robot that is calm says nothing of spindle, holder, cutter and work."));
-    if let Some((_, found)) = answer.chatter.as_ref().and_then(|told| told.worst.as_ref()) {
+    if let Some((_, found)) = answer.chatter.as_ref().and_then(|chatter| chatter.worst.as_ref()) {
         section.figure(
             lobes::svg(found, &figure_size(asked)),
             "From which depth the cut at the worst sample swings, over the speed of the spindle.",

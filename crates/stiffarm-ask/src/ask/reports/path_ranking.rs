@@ -45,8 +45,8 @@ pub(crate) fn of(found: &PathRankOutput, asked: &Request) -> Result<Report, AskE
         sections.push(section);
     }
     let robots: Vec<_> = answer.rows.iter().map(|row| &row.robot).collect();
-    let (told, others) = robots.split_at(MOST_PARTS.min(robots.len()));
-    sections.extend([provenance(told, others), repeated(asked, &found.inputs)?]);
+    let (detailed, others) = robots.split_at(MOST_PARTS.min(robots.len()));
+    sections.extend([provenance(detailed, others), repeated(asked, &found.inputs)?]);
     Ok(Report {
         title: format!("Which of {} robots for {}?", robots.len(), answer.path),
         asked: format!("Ranking by the largest error along the path; {}", answer.force()),

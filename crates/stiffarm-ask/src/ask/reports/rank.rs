@@ -46,9 +46,9 @@ pub(crate) fn of(found: &RankOutput, asked: &Request) -> Result<Report, AskError
         sections.push(others);
     }
     sections.extend(boundary(answer, found)?);
-    let (told, others): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|at| parts.contains(at));
+    let (detailed, others): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|at| parts.contains(at));
     let robots = |of: Vec<usize>| of.into_iter().map(|at| &rows[at].robot).collect::<Vec<_>>();
-    sections.extend([provenance(&robots(told), &robots(others)), repeated(asked, &inputs)?]);
+    sections.extend([provenance(&robots(detailed), &robots(others)), repeated(asked, &inputs)?]);
     let how = if *model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {
         title: match rows.as_slice() {
@@ -129,8 +129,8 @@ fn robot(found: &RankOutput, (at, row): (usize, &Row), asked: &Request) -> Resul
 
 /// The task on which a robot gives way most.
 fn hardest(row: &Row) -> Option<usize> {
-    let told = (0..row.cells.len()).filter_map(|task| Some((task, row.deflection(task)?)));
-    told.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(task, _)| task)
+    let deflections = (0..row.cells.len()).filter_map(|task| Some((task, row.deflection(task)?)));
+    deflections.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(task, _)| task)
 }
 
 /// A cell of the ranking as the answer of `place` that it is.

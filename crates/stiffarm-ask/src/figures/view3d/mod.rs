@@ -105,7 +105,7 @@ pub struct Arrow {
 }
 
 impl Surface {
-    /// A map over the plane of x and z at `y` m to the left, told in a unit.
+    /// A map over the plane of x and z at `y` m to the left, its values in a unit.
     pub fn of_map(map: &Grid, unit: Unit, y: f64) -> Self {
         let stride = map.x.count.max(map.z.count).div_ceil(MOST_POINTS).max(1);
         // The last point is always kept, so that the map does not shrink.

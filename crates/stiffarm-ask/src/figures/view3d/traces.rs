@@ -1,4 +1,4 @@
-//! What plotly.js is told to draw, in its own words.
+//! What plotly.js is to draw, in its own words.
 
 use nalgebra::{Point3, Vector3};
 use serde_json::{Value, json};

@@ -106,7 +106,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Date,
         value: "DATE",
         heading: MEASURED,
-        help: "When was measured, as year-month-day: it is told, and stands in the robot file",
+        help: "When was measured, as year-month-day: it is reported, and stands in the robot file",
         example: "2026-05-31",
         ..ROW
     }),

@@ -9,7 +9,7 @@ use super::shared::{ROW, SEVERAL};
 const CALIBRATE: &[Verb] = &[Verb::Calibrate];
 const VERIFY: &[Verb] = &[Verb::Verify];
 const READING: &[Verb] = &[Verb::Calibrate, Verb::Verify];
-/// A frame that is fitted where it is not told.
+/// A frame that is fitted where it is not given.
 const FRAME: Setting = Setting {
     verbs: VERIFY,
     kind: Kind::Tool,
@@ -100,7 +100,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "m",
         value: "X,Y,Z",
         absent: Absent::Means("over all the arm reaches"),
-        help: "Where the work is, from the robot's base: the error that remains is told within 0.25 m about it",
+        help: "Where the work is, from the robot's base: the error that remains is computed within 0.25 m about it",
         example: "1.8,0,0.8",
         ..ROW
     }),

@@ -145,7 +145,7 @@ pub(super) const MASS: Setting = opt::TOOL_MASS_KG.row(Setting {
     kind: number_of(0.0, 1e4, "kg"),
     unit: "kg",
     value: "KG",
-    help: "Mass of the tool with its spindle: told against the robot's payload, beside the force",
+    help: "Mass of the tool with its spindle: compared with the robot's payload, together with the force",
     example: "25",
     ..ROW
 });

@@ -43,7 +43,7 @@ pub(super) const ROWS: &[Setting] = &[
         verbs: STUDY,
         kind: Kind::Zone,
         value: "TASK",
-        help: "A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which architecture is stiffer there",
+        help: "A flat zone at its size, whose shape is studied: where it stands with a robot is marked, with the architecture that is stiffer there",
         example: "rect:0.6x0.4",
         ..ROW
     }),

@@ -123,7 +123,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Whole { min: 1, max: 6 },
         value: "N",
         absent: Absent::Default("6"),
-        help: "How many modes are told, the lowest first",
+        help: "How many modes are reported, the lowest first",
         example: "3",
         ..ROW
     }),

@@ -21,7 +21,7 @@ fn ranking(names: &[&str], tasks: &[&str]) -> Ranking {
     rank(&robots(names), &tasks, &ModelKind::Planar, &PlaceOptions::under(Load::PAPER), Watch::nobody()).unwrap()
 }
 
-/// What is told of a ranking whose bounds are moved by hand.
+/// The answer of a ranking whose bounds are moved by hand.
 fn answer(ranking: Ranking, tolerance_mm: Option<f64>) -> RankAnswer {
     RankAnswer::of(ranking, PlaceOptions::under(Load::PAPER), tolerance_mm, Vec::new())
 }
@@ -30,10 +30,10 @@ fn answer(ranking: Ranking, tolerance_mm: Option<f64>) -> RankAnswer {
 #[test]
 fn equal_robots_share_a_rank() {
     let ranking = ranking(&["IRB 7600-500/2.55", "KR 500 R2800-2", "IRB 7600-400/2.55"], &["B:0.5"]);
-    let told: Vec<(&str, String)> =
+    let ranks: Vec<(&str, String)> =
         ranking.rows.iter().map(|row| (row.robot.name.as_str(), row.rank.unwrap().to_string())).collect();
     let expected = [("KR 500 R2800-2", "1"), ("IRB 7600-400/2.55", "2="), ("IRB 7600-500/2.55", "2=")];
-    assert_eq!(told.iter().map(|(name, rank)| (*name, rank.as_str())).collect::<Vec<_>>(), expected);
+    assert_eq!(ranks.iter().map(|(name, rank)| (*name, rank.as_str())).collect::<Vec<_>>(), expected);
     assert_eq!(ranking.ranks(0), ranking.rows.iter().map(|row| row.rank).collect::<Vec<_>>(), "of one task");
     assert!(ranking.rivals(0).is_empty());
     let json = answer(ranking, None).json();
@@ -43,7 +43,7 @@ fn equal_robots_share_a_rank() {
 
 /// The lower bound of the second is moved below the value of the first.
 #[test]
-fn nobody_is_advised_who_is_not_told_apart() {
+fn nobody_is_advised_who_is_not_distinguished() {
     let two = ["KR 210 R2700 extra", "BT200L"];
     let sure = answer(ranking(&two, &["B:0.5", "A:0.1"]), None);
     assert!(
@@ -58,10 +58,13 @@ fn nobody_is_advised_who_is_not_told_apart() {
     assert_eq!(open.rivals(0).len(), 1);
     assert_eq!(open.ranks(0).iter().map(|rank| rank.unwrap().to_string()).collect::<Vec<_>>(), ["1=", "1="]);
     let open = answer(open, None);
-    let told = &open.sentences()[0];
-    assert!(told.contains("take KUKA KR 210 R2700 extra (payload 210 kg) for A:0.1"), "{told}");
-    assert!(told.contains("KR 210 R2700 extra") && told.contains("cannot be distinguished on B:0.5"), "{told}");
-    assert!(!told.contains("for B:0.5"), "{told}");
+    let sentence = &open.sentences()[0];
+    assert!(sentence.contains("take KUKA KR 210 R2700 extra (payload 210 kg) for A:0.1"), "{sentence}");
+    assert!(
+        sentence.contains("KR 210 R2700 extra") && sentence.contains("cannot be distinguished on B:0.5"),
+        "{sentence}"
+    );
+    assert!(!sentence.contains("for B:0.5"), "{sentence}");
     assert_eq!(open.json()["winners"][0]["told_apart"], false);
     assert_eq!(open.json()["winners"][0]["rivals"], serde_json::json!(["BT200L"]));
     assert_eq!(open.json()["winners"][1]["told_apart"], true);
@@ -128,15 +131,15 @@ fn the_smallest_margin_in_the_plane_is_that_of_all_points_of_the_zone() {
             let zone = task.parse::<Task<Zone>>().unwrap().work;
             let placed = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
             let Some(best) = placed.feasible() else { continue };
-            let (told, of) = best.smallest_margin().expect("a place has a margin");
+            let (margin, of) = best.smallest_margin().expect("a place has a margin");
             let sign = if best.elbow == stiffarm::plane::Elbow::Up { -1.0 } else { 1.0 };
             let seen = sampled(planar.arm(), &points(zone, best, planar.axis_from_base()), sign);
             // The grid holds the corners; between its points, 1/60 of a side, angles change by less than 1/50 rad, at an extreme much less.
             assert!(
-                told <= seen.max(0.0) + 1e-9 && seen.max(0.0) - told < 2e-4,
-                "{name} {task}: {told} of {of:?}, {seen}"
+                margin <= seen.max(0.0) + 1e-9 && seen.max(0.0) - margin < 2e-4,
+                "{name} {task}: {margin} of {of:?}, {seen}"
             );
-            assert!(options.margins.limit - 1e-6 <= told || of == MarginOf::Straight, "{name} {task}: {told}");
+            assert!(options.margins.limit - 1e-6 <= margin || of == MarginOf::Straight, "{name} {task}: {margin}");
             assert!(matches!(best.hold, Hold::Plane { margin: Some(_), .. }));
             kinds.push(of);
         }
