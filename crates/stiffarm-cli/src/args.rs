@@ -27,30 +27,6 @@ const PAPER: &str = "Make every table and figure of the paper under its number, 
 const SERVE: &str =
     "Serve a page in the browser, and all verbs over HTTP as JSON; it reads no files but those that are sent to it";
 
-/// The verbs of the library, with a line of help each.
-pub(crate) const VERBS: [(Verb, &str); 14] = [
-    (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
-    (Verb::Place, "Find the best place of one zone, with a proof"),
-    (Verb::Map, "Map the deflection over everything a robot reaches"),
-    (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
-    (
-        Verb::Modes,
-        "Frequencies and shapes in which a robot swings at one posture or over a zone, where its masses are known",
-    ),
-    (Verb::Chatter, "Does a cut swing with the arm at one posture, and how deep may it go"),
-    (Verb::Study, "Compare two architectures over link ratio and task size"),
-    (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),
-    (Verb::Force, "Cutting force of a process: mean, extremes, moment and power"),
-    (Verb::Mill, "How far is the tool pushed off along a toolpath, at the best rolls and the best place"),
-    (Verb::Measure, "Plan which postures and loads to measure, so that identify finds the drives"),
-    (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
-    (
-        Verb::Calibrate,
-        "Find how this very arm differs from its drawing, from points on its flange that a tracker measured",
-    ),
-    (Verb::Verify, "Does a robot file count the joints as the pendant does? Three to ten postures read from it tell"),
-];
-
 /// The whole command line.
 pub(crate) fn command() -> Command {
     command_with(true)
@@ -67,15 +43,14 @@ fn command_with(hidden: bool) -> Command {
         .propagate_version(true)
         .subcommand_required(true)
         .arg_required_else_help(true);
-    let list = subcommand(Verb::List, "The robots that come with the program, all or those that match", hidden).arg(
+    let list = subcommand(Verb::List, hidden).arg(
         clap::Arg::new("text")
             .value_name("TEXT")
             .num_args(0..)
             .help("Words that must stand in the maker's or the robot's name"),
     );
-    let (of_robots, verbs): (Vec<_>, Vec<_>) = VERBS
-        .map(|(verb, about)| (verb.name(), with_help(subcommand(verb, about, hidden), verb.name())))
-        .into_iter()
+    let (of_robots, verbs): (Vec<_>, Vec<_>) = Verb::jobs()
+        .map(|verb| (verb.name(), with_help(subcommand(verb, hidden), verb.name())))
         .partition(|(name, _)| name.starts_with("robots "));
     let robots = Command::new("robots").about("List, show and check robots").subcommand(with_help(list, "robots list"));
     let robots = with_help(RobotsAction::augment_subcommands(robots), "robots");
@@ -184,7 +159,7 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
 }
 
 fn verb_named(name: &str) -> Option<Verb> {
-    VERBS.into_iter().map(|(verb, _)| verb).find(|verb| verb.name() == name)
+    Verb::jobs().find(|verb| verb.name() == name)
 }
 
 /// A verb, from what was typed and the job file that may stand beside it.

@@ -18,9 +18,8 @@ pub(crate) const CHECKED: [Verb; 3] = [Verb::Rank, Verb::Place, Verb::Mill];
 
 /// The subcommand of a verb with its options; `with_hidden` those of other verbs, too, which help does not tell: the library refuses
 /// them, in the words that every reader has.
-pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> Command {
-    let name = verb.name().rsplit(' ').next().unwrap_or_default();
-    let mut command = Command::new(name).about(about).override_usage(usage(verb));
+pub(crate) fn subcommand(verb: Verb, with_hidden: bool) -> Command {
+    let mut command = Command::new(verb.function()).about(verb.about()).override_usage(usage(verb));
     for setting in verb.settings().filter(|setting| !setting.is_positional) {
         command = command.arg(argument(setting));
     }
@@ -34,7 +33,7 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> 
             command = command.arg(takes(setting, Arg::new(setting.name).long(setting.name)).hide(true));
         }
     }
-    if !Verb::JOBS.contains(&verb) {
+    if verb == Verb::List {
         return command;
     }
     if CHECKED.contains(&verb) {
@@ -81,7 +80,7 @@ fn usage(verb: Verb) -> String {
             },
         )
         .collect();
-    if Verb::JOBS.contains(&verb) {
+    if verb != Verb::List {
         format!("stiffarm {name} [OPTIONS]{required}{about}\n       stiffarm {name} [OPTIONS] JOB.toml")
     } else {
         format!("stiffarm {name} [OPTIONS] [TEXT]...")

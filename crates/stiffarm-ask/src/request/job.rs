@@ -153,7 +153,7 @@ impl<'t> Reader<'t> {
     }
 
     fn verb(&self, entries: &[Entry]) -> Result<Verb, Refusal> {
-        let names: Vec<&str> = Verb::JOBS.iter().map(|verb| verb.name()).collect();
+        let names: Vec<&str> = Verb::jobs().map(Verb::name).collect();
         let expected = format!("expected {}", names.join(", "));
         let Some((_, place, value)) = entries.iter().find(|(name, ..)| name == "verb") else {
             return Err(Refusal::Job {
@@ -161,7 +161,7 @@ impl<'t> Reader<'t> {
                 why: format!("verb is missing; {expected}"),
             });
         };
-        let known = Verb::JOBS.into_iter().find(|verb| value.as_str() == Some(verb.name()));
+        let known = Verb::jobs().find(|verb| value.as_str() == Some(verb.name()));
         known.ok_or_else(|| self.fault(*place, format!("{} for 'verb': {expected}", described(value))))
     }
 

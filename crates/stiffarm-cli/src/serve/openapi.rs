@@ -7,7 +7,6 @@ use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 use super::options::bounds;
 use super::reply::{Reply, json_reply};
-use crate::args::VERBS;
 
 /// Every status that a question may have besides 200, and when.
 const REFUSALS: [(&str, &str); 11] = [
@@ -31,8 +30,8 @@ pub(super) fn reply() -> Reply {
 /// The whole description.
 pub(super) fn description() -> Value {
     let mut paths = Map::new();
-    for (verb, about) in VERBS {
-        paths.insert(format!("/api/{}", address(verb)), json!({ "post": asked(verb, about) }));
+    for verb in Verb::jobs() {
+        paths.insert(format!("/api/{}", address(verb)), json!({ "post": asked(verb) }));
     }
     let table = || json!({ "type": "object" });
     let sheets = || json!({ "type": "array", "items": table() });
@@ -69,7 +68,7 @@ fn schemas() -> Map<String, Value> {
 }
 
 /// A question to a verb.
-fn asked(verb: Verb, about: &str) -> Value {
+fn asked(verb: Verb) -> Value {
     let settings: Vec<&Setting> = verb.settings().collect();
     let required: Vec<&str> =
         settings.iter().filter(|row| row.absent == Absent::Required).map(|row| row.name).collect();
@@ -111,7 +110,7 @@ fn asked(verb: Verb, about: &str) -> Value {
         },
     });
     json!({
-        "summary": about, "operationId": verb.function(), "parameters": [form, wait],
+        "summary": verb.about(), "operationId": verb.function(), "parameters": [form, wait],
         "requestBody": { "required": true, "content": { "application/json": { "schema": question } } },
         "responses": responses,
     })
@@ -233,7 +232,7 @@ fn job() -> Value {
     let asked = json!({
         "type": "object", "required": ["verb", "options"], "additionalProperties": false,
         "properties": {
-            "verb": { "type": "string", "enum": VERBS.iter().map(|(verb, _)| verb.name()).collect::<Vec<_>>() },
+            "verb": { "type": "string", "enum": Verb::jobs().map(Verb::name).collect::<Vec<_>>() },
             "options": { "type": "object", "additionalProperties": typed },
         },
     });

@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 use stiffarm_ask::request::{Absent, Kind, Of, Setting, Verb};
 
 use super::reply::{Reply, json_reply};
-use crate::args::VERBS;
 
 pub(super) fn reply() -> Reply {
     json_reply(&table())
@@ -12,9 +11,9 @@ pub(super) fn reply() -> Reply {
 
 /// Every verb with its options.
 pub(super) fn table() -> Value {
-    let verbs = VERBS.iter().map(|(verb, about)| {
-        let options: Vec<Value> = verb.settings().map(|setting| option(*verb, setting)).collect();
-        json!({ "verb": verb.name(), "about": about, "options": options })
+    let verbs = Verb::jobs().map(|verb| {
+        let options: Vec<Value> = verb.settings().map(|setting| option(verb, setting)).collect();
+        json!({ "verb": verb.name(), "about": verb.about(), "options": options })
     });
     json!({ "version": env!("CARGO_PKG_VERSION"), "verbs": verbs.collect::<Value>() })
 }

@@ -53,7 +53,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
         path => {
             let verb = |prefix: &str| {
                 let name = path.strip_prefix(prefix)?;
-                Verb::JOBS.into_iter().find(|verb| address(*verb) == name)
+                Verb::jobs().find(|verb| address(*verb) == name)
             };
             match (verb("/api/"), verb("/view/")) {
                 (Some(verb), _) => answer(server, verb, wanted_of(asked.as_deref())?, request).await,
