@@ -1,6 +1,6 @@
 //! Is a zone that is asked for at one place evaluated there, and nowhere else?
 
-use stiffarm::catalogue::paper_robots;
+use stiffarm::catalogue::{find, paper_robots};
 use stiffarm::compliance::compliance;
 use stiffarm::inverse::reached;
 use stiffarm::load::Load;
@@ -21,7 +21,8 @@ fn robot() -> Robot {
 
 fn placed(given: &[(&str, &str)]) -> Placed {
     let request = asked(given).unwrap();
-    let (robot, work) = (request.equipped(robot()).unwrap(), request.task().unwrap().work);
+    let robot = request.robot().map_or_else(|_| robot(), |name| find(&name).expect("in the catalogue").robot());
+    let (robot, work) = (request.equipped(robot).unwrap(), request.task().unwrap().work);
     let model: Model = request.model().of(&robot).unwrap();
     place(&model, &work, &request.place_options(work.zone()).unwrap(), Watch::nobody()).unwrap()
 }
@@ -209,5 +210,47 @@ fn what_one_place_cannot_have_is_refused() {
     ] {
         let why = refused(&given);
         assert!(why.contains(words), "{given:?}: {why}");
+    }
+}
+
+/// A zone that fits at a place lets every smaller one fit there, which gives way no more; and it stands where it was asked for. (Sizes whose window
+/// was no whole number of steps wide had no place.)
+#[test]
+fn every_size_up_to_one_that_fits_has_the_place_that_is_asked_for() {
+    for more in [&[][..], &[("mount", "pedestal:0")], &[("clearance-mm", "0")]] {
+        let mut least = 0.0;
+        for diameter in ["0.0001", "0.002", "0.01", "0.05", "0.1", "0.2", "0.3", "0.4"] {
+            let task = format!("circle:{diameter}");
+            let asked = [("task", &*task), ("model", "spatial"), ("tool-mm", "0,0,200"), ("at", "1.2,0.9")];
+            let found = feasible(&[&asked[..], more].concat());
+            assert_eq!(found.centre.map(|x| (x * 1e12).round() / 1e12), [1.2, 0.9], "{task} {more:?}");
+            assert!(least <= found.deflection * (1.0 + 1e-3), "{task} {more:?}: {} after {least}", found.deflection);
+            least = found.deflection;
+        }
+    }
+}
+
+/// The best place leaves the roll little freedom: at that place, asked for alone, the same roll is found again.
+#[test]
+fn the_roll_of_the_best_place_is_found_again_there() {
+    for (robot, more) in [
+        ("KR 210 R2700 extra", [("task", "rect:0.6x0.4"), ("force-n", "300,100,50")]),
+        ("BT200L", [("task", "circle:0.5"), ("force-n", "1000")]),
+    ] {
+        let asked = [&[("robot", robot), ("model", "spatial"), ("tool", "spindle:250@90")][..], &more].concat();
+        let best = feasible(&asked);
+        let at = format!("{},{}", best.centre[0], best.centre[1]);
+        let angle = format!("{}", best.angle.to_degrees());
+        let mut there = [&asked[..], &[("at", &*at)]].concat();
+        if more[0].1.starts_with("rect") {
+            there.push(("angle", &*angle));
+        }
+        let again = feasible(&there);
+        assert!(
+            (again.deflection / best.deflection - 1.0).abs() < 2e-3,
+            "{robot}: {} {}",
+            again.deflection,
+            best.deflection
+        );
     }
 }

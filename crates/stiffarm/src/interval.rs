@@ -94,6 +94,12 @@ impl Interval {
         Self::new(self.min + by, self.max - by)
     }
 
+    /// Where the middle of something may be of which so much lies on either side: the one place in a range that is as wide but for `slack`.
+    pub(crate) fn room_for(self, half: f64, slack: f64) -> Option<Self> {
+        let [low, high] = [self.min + half, self.max - half];
+        if (high - low).abs() <= slack { Some(Self::point(f64::midpoint(low, high))) } else { Self::new(low, high) }
+    }
+
     /// What both ranges share.
     pub fn intersect(self, other: Self) -> Option<Self> {
         Self::new(self.min.max(other.min), self.max.min(other.max))

@@ -16,6 +16,8 @@ pub(crate) const SINGULAR_SQUARE: f64 = 1e-18;
 pub(crate) const LIMIT: f64 = 1e-9;
 /// By how much a zone may stand outside its window, m: rounding.
 pub(crate) const WINDOW: f64 = 1e-9;
+/// What a window may be wider or narrower than a zone, m, that is meant to stand at one place.
+pub(crate) const ONE_PLACE: f64 = 4.0 * WINDOW;
 /// What of a zone may lie below the base or behind the joint-1 axis before it is reported, m: rounding.
 pub(crate) const OUTSIDE: f64 = 1e-6;
 /// Relative allowance for the rounding of a proved bound, which is computed without directed rounding.

@@ -63,7 +63,8 @@ impl std::fmt::Display for Misfit {
             ),
             Self::Face(name) => write!(f, "its face {name} has no place, even without the others"),
             Self::WindowTooNarrow => f.write_str("the allowed place is narrower than the zone"),
-            Self::NothingReached => f.write_str("no point of the allowed place is reached with this direction of the tool"),
+            Self::NothingReached => f.write_str("no point of the allowed place is reached with the tool held as it is asked for"),
+            Self::NowhereWhole { step: 0.0 } => f.write_str("the whole zone is not reached there in one posture"),
             Self::NowhereWhole { step } => write!(
                 f,
                 "no place was found (places {:.0} mm apart, then refined) where the whole zone is reached in one posture",

@@ -14,6 +14,8 @@ pub(super) struct Score {
 
 impl Score {
     pub(super) const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
+    /// No place at which every pose is reached has as much.
+    pub(super) const ONE_OUT_OF_REACH: Self = Self { unreached: 1, worst: 0.0 };
     /// Before any pose is looked at.
     pub(super) const LEAST: Self = Self { unreached: 0, worst: 0.0 };
 

@@ -10,7 +10,7 @@ use nalgebra::{Point3, Rotation3, Vector3};
 
 use super::bound::BranchAndBound;
 use super::descent::{FINE, Score, descend};
-use super::search::{CELLS, Candidate, HALVING, LOOSE, Search};
+use super::search::{CELLS, Candidate, HALVING, LOOSE, MOST_ROLLS, Search, finer_rolls};
 use super::site::{Ground, Site};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
@@ -234,20 +234,65 @@ impl<'a> CellSearch<'a> {
         let mut rough = self.refined(&apart(seen, step, effort.starts), CELLS[1], step / 2.0, keep)?;
         rough.truncate(effort.finalists);
         let refined = self.refined(&rough, CELLS[2], step / 8.0, keep)?;
-        if refined.is_empty() {
+        let mut short: Option<f64> = None;
+        if let Some(found) = self.first_kept(&refined, (coarse, step), keep, &mut short)? {
+            return Ok(Ok(found));
+        }
+        let fine = self.at_fine_rolls()?;
+        if let Some(found) = self.first_kept(&fine, (coarse, step), keep, &mut short)? {
+            return Ok(Ok(found));
+        }
+        if refined.is_empty() && fine.is_empty() {
+            let step = if self.ground.is_one_place() { 0.0 } else { step };
             return Ok(Err(Untaken::Misfit(Misfit::NowhereWhole { step })));
         }
-        let mut short: Option<f64> = None;
-        for found in &refined {
+        Ok(Err(short.map_or(Untaken::Misfit(Misfit::Turning), Untaken::TooNear)))
+    }
+
+    /// The answer of the first that is followed as a whole and keeps what is asked for; of others by how much that is missed at least.
+    fn first_kept(
+        &self,
+        refined: &[Scored],
+        (coarse, step): (Score, f64),
+        keep: Option<Keep>,
+        short: &mut Option<f64>,
+    ) -> Result<Option<Solution>, Stopped> {
+        for found in refined {
             let Some(solution) = self.evaluated(found, coarse, step)? else { continue };
-            let Some(Keep { asked, .. }) = keep else { return Ok(Ok(solution)) };
+            let Some(Keep { asked, .. }) = keep else { return Ok(Some(solution)) };
             let Some(kept) = solution.clearance else { continue };
             if asked <= kept.distance {
-                return Ok(Ok(solution));
+                return Ok(Some(solution));
             }
-            short = Some(short.map_or(asked - kept.distance, |least| least.min(asked - kept.distance)));
+            *short = Some(short.map_or(asked - kept.distance, |least| least.min(asked - kept.distance)));
         }
-        Ok(Err(short.map_or(Untaken::Misfit(Misfit::Turning), Untaken::TooNear)))
+        Ok(None)
+    }
+
+    /// The one place at the rolls, finely, at which the zone is reached as a whole, the best first; nothing where another is left to choose.
+    fn at_fine_rolls(&self) -> Result<Vec<Scored>, Stopped> {
+        let Some(sites) = self.ground.at_fine_rolls() else { return Ok(Vec::new()) };
+        let held = self.held(&sites)?;
+        if !held.is_empty() {
+            return Ok(held);
+        }
+        let mut near = self.coarse(&sites)?;
+        near.truncate(MOST_ROLLS);
+        let finer = |site: Site| finer_rolls(site.roll).map(move |roll| Site { roll, ..site });
+        self.held(&near.into_iter().flat_map(|scored| finer(scored.site)).collect::<Vec<Site>>())
+    }
+
+    /// Those of some sites at which the zone is reached as a whole, the best first.
+    fn held(&self, sites: &[Site]) -> Result<Vec<Scored>, Stopped> {
+        let grid = Grid::of(self.zone, CELLS[2]).outermost_first();
+        // Where one pose is out of reach no other is looked at.
+        let scored =
+            |site: &Site| self.parts().go_on().map(|()| self.scored_below(site, &grid, Score::ONE_OUT_OF_REACH, None));
+        let mut held = parallel::try_each(sites, scored)?;
+        held.retain(|scored| scored.score.is_feasible());
+        held.sort_by(|a, b| a.score.total_cmp(&b.score));
+        held.truncate(MOST_ROLLS);
+        Ok(held)
     }
 
     /// Sites by what they are where the arm keeps clear, the best first: enough for so many starts, or all.

@@ -29,6 +29,15 @@ const BLOCK: usize = 256;
 pub(super) const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
 pub(super) const CELLS: [usize; 4] = [2, 6, 16, 64];
+/// Steps of the roll, deg, at one place, and where none of them is held: of the best place a tenth of a degree may be all that is left.
+pub(super) const ROLL_AT_ONE_PLACE: f64 = 1.0;
+const FINE_ROLL: f64 = 0.02;
+/// About one that is nearly held, so many finer ones on either side.
+const FINER: i32 = 40;
+/// Of these so many are evaluated.
+pub(super) const MOST_ROLLS: usize = 200;
+/// Steps of the refinement, m, with which turns become finer where there is no other place.
+pub(super) const STEP_AT_ONE_PLACE: f64 = 0.05;
 /// How often the placement that stands in the way of a better bound is refined.
 const RESTARTS: usize = 3;
 
@@ -90,6 +99,33 @@ pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
         .map(|range| range.unwrap_or(Interval::point(1e9)))
 }
 
+/// The same, but of a window that is as wide as the zone at every turn that is asked for, but for rounding, the one place that is meant.
+fn of_centres(region: [Interval; 2], zone: Zone, options: &Question) -> [Interval; 2] {
+    if options.orientation == Orientation::Free || 0.0 < options.yaw.width() && !options.is_vertical() {
+        return region;
+    }
+    let yaw = if options.is_vertical() { 0.0 } else { options.yaw.min() };
+    let extents = options.angles().into_iter().map(|angle| {
+        let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw, angle, roll: 0.0 };
+        WorkPlane::of(options.elevation, &work).half_extents(zone)
+    });
+    let least = extents.fold([f64::INFINITY; 2], |least, [ahead, _, up]| [least[0].min(ahead), least[1].min(up)]);
+    [0, 1].map(|i| {
+        let room = region[i].room_for(least[i], tolerances::ONE_PLACE);
+        room.filter(|room| room.width() == 0.0).unwrap_or(region[i])
+    })
+}
+
+/// A whole turn in fine steps, rad.
+pub(super) fn fine_rolls() -> impl Iterator<Item = f64> {
+    (0..(360.0 / FINE_ROLL) as usize).map(|i| (i as f64 * FINE_ROLL).to_radians())
+}
+
+/// Those about one of them, more finely.
+pub(super) fn finer_rolls(roll: f64) -> impl Iterator<Item = f64> {
+    (-FINER..=FINER).map(move |i| roll + (FINE_ROLL * f64::from(i) / f64::from(FINER)).to_radians())
+}
+
 /// How far ahead of the joint-1 axis and behind it the tool point can be by the lengths alone, m.
 pub(super) fn ahead_and_behind(arm: &SpatialArm) -> Interval {
     let [ahead, _] = arm.reach();
@@ -122,7 +158,7 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     pub(super) fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question<'a>) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
-        let region = region(arm, options.within);
+        let region = of_centres(region(arm, options.within), zone, options);
         let longest = region[0].width().max(region[1].width());
         Self {
             robot,
@@ -132,8 +168,13 @@ impl<'a> Search<'a> {
             options,
             roll_is_free,
             region,
-            step: (longest / PLACES as f64).max(1e-3),
+            step: if longest == 0.0 { STEP_AT_ONE_PLACE } else { (longest / PLACES as f64).max(1e-3) },
         }
+    }
+
+    /// No place is left to choose.
+    fn is_one_place(&self) -> bool {
+        self.region.iter().all(|range| range.width() == 0.0)
     }
 
     /// The best place that the coarse search and its refinement see.
@@ -145,11 +186,19 @@ impl<'a> Search<'a> {
         let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0)?;
         rough.truncate(FINALISTS);
         let refined = self.refined(&rough, CELLS[2], self.step / 8.0)?;
-        if refined.is_empty() {
-            return Ok(Err(Misfit::NowhereWhole { step: self.step }));
-        }
         let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
-        Ok(self.first_followed(&refined, coarse)?.ok_or(Misfit::Turning))
+        if let Some(found) = self.first_followed(&refined, coarse)? {
+            return Ok(Ok(found));
+        }
+        let fine = self.at_fine_rolls()?;
+        if let Some(found) = self.first_followed(&fine, coarse)? {
+            return Ok(Ok(found));
+        }
+        if refined.is_empty() && fine.is_empty() {
+            let step = if self.is_one_place() { 0.0 } else { self.step };
+            return Ok(Err(Misfit::NowhereWhole { step }));
+        }
+        Ok(Err(Misfit::Turning))
     }
 
     /// The best place that a refinement from one placement sees.
@@ -210,6 +259,8 @@ impl<'a> Search<'a> {
         };
         let rolls_matter = self.options.roll.is_none() && !self.roll_is_free;
         let step = if rolls_matter && !self.options.is_vertical() { 30.0 } else { 15.0 };
+        // Where no place is left to choose a roll may be the only one.
+        let roll_step = if self.is_one_place() { ROLL_AT_ONE_PLACE } else { step };
         let yaw = self.options.yaw;
         let yaws = if self.options.is_vertical() {
             vec![0.0]
@@ -221,7 +272,7 @@ impl<'a> Search<'a> {
         let rolls = match self.options.roll {
             Some(roll) => vec![roll],
             None if self.roll_is_free => vec![0.0],
-            None => every(step, 360.0),
+            None => every(roll_step, 360.0),
         };
         let mut turns = Vec::new();
         for &yaw in &yaws {
@@ -270,6 +321,43 @@ impl<'a> Search<'a> {
         }
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
         Ok(Ok(self.apart(&seen, starts)))
+    }
+
+    /// The one place at all rolls, finely, where any roll will do: those at which the zone is reached as a whole, the best first.
+    fn at_fine_rolls(&self) -> Result<Vec<Candidate>, Stopped> {
+        if !self.is_one_place() || self.options.roll.is_some() || self.roll_is_free {
+            return Ok(Vec::new());
+        }
+        self.options.parts.go_on()?;
+        let mut turns = self.turns();
+        let first = turns[0][2];
+        turns.retain(|[.., roll]| *roll == first);
+        let [x, z] = self.region.map(Interval::middle);
+        let work =
+            |[yaw, angle, _]: [f64; 3]| fine_rolls().map(move |roll| WorkPlacement { x, y: 0.0, z, yaw, angle, roll });
+        let works: Vec<WorkPlacement> = turns.into_iter().flat_map(work).collect();
+        let held = self.held(&works);
+        if !held.is_empty() {
+            return Ok(held);
+        }
+        let grid = Grid::of(self.zone, CELLS[0]);
+        let mut near = parallel::each(&works, |work| self.candidate(*work, &grid));
+        near.sort_by(|a, b| a.score.total_cmp(&b.score));
+        near.truncate(MOST_ROLLS);
+        let finer = |work: WorkPlacement| finer_rolls(work.roll).map(move |roll| WorkPlacement { roll, ..work });
+        let works: Vec<WorkPlacement> = near.into_iter().flat_map(|candidate| finer(candidate.work)).collect();
+        Ok(self.held(&works))
+    }
+
+    /// Those of some placements at which the zone is reached as a whole, the best first.
+    fn held(&self, works: &[WorkPlacement]) -> Vec<Candidate> {
+        let grid = Grid::of(self.zone, CELLS[2]).outermost_first();
+        // Where one pose is out of reach no other is looked at.
+        let mut held = parallel::each(works, |work| self.candidate_below(*work, &grid, Score::ONE_OUT_OF_REACH));
+        held.retain(|candidate| candidate.score.is_feasible());
+        held.sort_by(|a, b| a.score.total_cmp(&b.score));
+        held.truncate(MOST_ROLLS);
+        held
     }
 
     /// The value at the centre of each placement, with its position in the list; infinite where it is not reached.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Point3, Rotation3, Vector3};
 
-use super::search::{PLACES, ahead_and_behind};
+use super::search::{PLACES, ROLL_AT_ONE_PLACE, STEP_AT_ONE_PLACE, ahead_and_behind, fine_rolls};
 use super::{Question, Solution};
 use crate::angle::wrapped;
 use crate::batch::SpatialArm;
@@ -200,7 +200,7 @@ impl<'a> Ground<'a> {
         let rolls = match self.options.roll {
             Some(roll) => vec![roll],
             None if self.roll_is_free => vec![0.0],
-            None => every(30.0, 360.0),
+            None => every(if self.is_one_place() { ROLL_AT_ONE_PLACE } else { 30.0 }, 360.0),
         };
         let mut turns = Vec::new();
         for &yaw in &yaws {
@@ -209,6 +209,32 @@ impl<'a> Ground<'a> {
             }
         }
         turns
+    }
+
+    /// The one place at all rolls, finely, where no other is left to choose, and any roll will do.
+    pub(super) fn at_fine_rolls(&self) -> Option<Vec<Site>> {
+        if self.options.roll.is_some() || self.roll_is_free || !self.is_one_place() {
+            return None;
+        }
+        let (sites, _) = self.sites(1.0);
+        let at_first = sites.iter().filter(|site| site.roll == sites[0].roll);
+        Some(at_first.flat_map(|site| fine_rolls().map(|roll| Site { roll, ..*site })).collect())
+    }
+
+    /// No place is left to choose, straight ahead, at the first of the angles that are asked for.
+    pub(super) fn is_one_place(&self) -> bool {
+        let angle = self.options.angles().first().copied().unwrap_or_default();
+        let yaw = if self.options.is_vertical() { 0.0 } else { self.options.yaw.min() };
+        let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw, angle, roll: 0.0 };
+        let [far, _, high] = WorkPlane::of(self.options.elevation, &work).half_extents(self.zone);
+        let is_point = |range: Interval, half: f64| {
+            range.room_for(half, tolerances::ONE_PLACE).is_some_and(|room| room.width() == 0.0)
+        };
+        let is_one = |window: &Window| match window {
+            Window::Block(_) => false,
+            Window::Ring { ahead, z } => is_point(*ahead, far) && is_point(*z, high),
+        };
+        self.cell.is_ahead && self.windows.iter().all(is_one)
     }
 
     /// The angle of a site from that of the first side in the cell, counter-clockwise from its x axis, seen from above.
@@ -256,7 +282,7 @@ impl<'a> Ground<'a> {
                 sites.extend(places.into_iter().map(site));
             }
         }
-        (sites, step.max(1e-3))
+        (sites, if self.is_one_place() { STEP_AT_ONE_PLACE } else { step.max(1e-3) })
     }
 
     /// Centres at which the zone lies in the block, where it is not turned with its bearing.
@@ -269,7 +295,7 @@ impl<'a> Ground<'a> {
             .map(|i| {
                 let side = block.sides()[i];
                 let reached = Interval::spanning(base[i] - far, base[i] + far);
-                room(side, half[i])?.intersect(reached)
+                side.room_for(half[i], tolerances::ONE_PLACE)?.intersect(reached)
             })
             .collect();
         let Some(ranges) = ranges.into_iter().collect::<Option<Vec<Interval>>>() else { return (Vec::new(), 0.0) };
@@ -313,8 +339,10 @@ impl<'a> Ground<'a> {
             self.half_extents(&plane, &(self.cell.mount.cell_from_base * Pose::rotation(Vector3::z() * bearing))).z;
         // Of a zone whose turn stays that of the cell it depends on the bearing how far it reaches ahead.
         let far = if self.angle_is_of_base { 0.0 } else { plane.half_extents(self.zone)[0] };
-        let heights = room(z, high).and_then(|z| self.cell.mount.heights_from_base(z).intersect(up));
-        let ahead = room(ahead, far).and_then(|ahead| ahead.intersect(ahead_and_behind(self.arm)));
+        let heights =
+            z.room_for(high, tolerances::ONE_PLACE).and_then(|z| self.cell.mount.heights_from_base(z).intersect(up));
+        let ahead =
+            ahead.room_for(far, tolerances::ONE_PLACE).and_then(|ahead| ahead.intersect(ahead_and_behind(self.arm)));
         let (Some(ahead), Some(heights)) = (ahead, heights) else { return (Vec::new(), 0.0) };
         let bearings = if self.cell.is_ahead { vec![0.0] } else { over(Interval::spanning(-PI, PI), 25)[1..].to_vec() };
         let mut points = Vec::new();
@@ -360,13 +388,6 @@ fn over(range: Interval, count: usize) -> Vec<f64> {
         return vec![range.min()];
     }
     (0..count).map(|i| range.min() + range.width() * i as f64 / (count - 1) as f64).collect()
-}
-
-/// Where the middle of something may be of which so much lies on either side, m: in a range that is exactly as wide in its middle.
-fn room(range: Interval, half: f64) -> Option<Interval> {
-    let [low, high] = [range.min() + half, range.max() - half];
-    let is_tight = high < low && low <= high + 2.0 * tolerances::WINDOW;
-    if is_tight { Some(Interval::point(f64::midpoint(low, high))) } else { Interval::new(low, high) }
 }
 
 #[cfg(test)]
