@@ -118,6 +118,33 @@ struct Start {
     value: f64,
     place: Place,
     apart: Place,
+    by: Rolls,
+}
+
+/// By which rolls a place is judged before the path is followed there.
+#[derive(Clone, Copy)]
+enum Rolls {
+    /// The best at each sample: no more than the error, and less where no way leads from one to the next.
+    BestOfEach,
+    /// The best that all samples share: where the roll may change, no less than the error.
+    OneForAll,
+}
+
+impl Rolls {
+    /// Those that tell where a path is followed best; where the roll may change neither is it.
+    const fn of(mode: RollMode) -> &'static [Self] {
+        match mode {
+            RollMode::Free | RollMode::Linear => &[Self::BestOfEach, Self::OneForAll],
+            RollMode::Constant => &[Self::OneForAll],
+            RollMode::Fixed(_) => &[Self::BestOfEach],
+        }
+    }
+}
+
+/// The best place so far at which the path was followed, with its error, and where it is not followed what came farthest.
+struct Sought {
+    best: Option<(f64, Place, Followed)>,
+    nearest: Option<Blocked>,
 }
 
 /// Finds the best place of a path.
@@ -139,51 +166,18 @@ pub fn place_path(
     let Some(mut search) = search else { return Ok(Err(None)) };
     let arm = search.arm.clone();
     let question = Question { robot, arm: &arm, stations, options };
-    let (mut best, mut nearest): (Option<(f64, Place, Followed)>, Option<Blocked>) = (None, None);
-    let (mut starts, coarse) = search.coarse(watch)?;
-    let further = starts.split_off(STARTS.min(starts.len()));
-    let mut step = 0.0;
-    for _ in 0..ROUNDS {
-        let mut steps: Vec<Start> = Vec::new();
-        for start in &starts {
-            watch.go_on()?;
-            let (found, last) = search.descended(start, &|_| Ok(true))?;
-            steps.push(found);
-            step = last;
-        }
-        steps.sort_by(|a, b| a.value.total_cmp(&b.value));
-        let mut has_joined = false;
-        for Start { value, place, .. } in steps.iter().take(2).filter(|start| start.value.is_finite()) {
-            if best.as_ref().is_some_and(|best| best.0 <= *value && !best.2.touches()) {
-                break;
-            }
-            let key = match question.milled(&search.stand(place), solve::ROLLS[0], watch)?.1 {
-                Milled::Followed(found) => {
-                    let key = found.worst.1;
-                    if best.as_ref().is_none_or(|best| found.is_better_than(&best.2, 0.0)) {
-                        best = Some((found.worst.0, *place, found));
-                    }
-                    key
-                }
-                Milled::Blocked(blocked) => {
-                    nearest = nearest.filter(|other| blocked.way <= other.way).or(Some(blocked));
-                    stations.partition_point(|station| station.sample.way < blocked.way).min(stations.len() - 1)
-                }
-            };
-            if !search.keys.contains(&key) {
-                search.keys.push(key);
-                has_joined = true;
-            }
-        }
-        if !has_joined {
-            break;
-        }
-        steps.truncate(STARTS);
-        starts = steps;
+    let mut sought = Sought { best: None, nearest: None };
+    let (by_rolls, coarse) = search.coarse(watch)?;
+    let (mut others, mut step): (Vec<Start>, f64) = (Vec::new(), 0.0);
+    for (by, mut starts) in by_rolls {
+        let further = starts.split_off(STARTS.min(starts.len()));
+        (starts, step) = search.refined(&question, (by, starts), &mut sought, watch)?;
+        others.extend(starts.into_iter().chain(further));
     }
+    let Sought { mut best, nearest } = sought;
     if best.as_ref().is_none_or(|best| best.2.touches()) {
         let tried = if best.is_some() { CLEAR_TRIED } else { usize::MAX };
-        let others = starts.iter().chain(&further).take(tried);
+        let others = others.iter().take(tried);
         best = search.followed(&question, (others, best.is_some()), watch)?.or(best);
     }
     let samples = search.keys.len();
@@ -300,59 +294,119 @@ impl Search<'_> {
     }
 
     /// The largest error of the samples that stand for the path, m, with so many rolls; infinite where some is not held.
-    fn value(&self, place: &Place, rolls: usize) -> Result<f64, MillError> {
+    fn value(&self, place: &Place, rolls: usize, by: Rolls) -> Result<f64, MillError> {
+        let [each, one] = self.values(place, rolls)?;
+        Ok(match by {
+            Rolls::BestOfEach => each,
+            Rolls::OneForAll => one,
+        })
+    }
+
+    /// The same by the best roll of each sample, and by the best of all.
+    fn values(&self, place: &Place, rolls: usize) -> Result<[f64; 2], MillError> {
         let stand = self.stand(place);
         if !self.is_allowed(&stand.base_from_part) {
-            return Ok(f64::INFINITY);
+            return Ok([f64::INFINITY; 2]);
         }
         let grid = match self.options.roll {
             RollMode::Fixed(roll) => RollGrid::at([roll]),
             _ => RollGrid::turn(rolls),
         };
-        let is_one = matches!(self.options.roll, RollMode::Constant);
         let mut errors = std::array::from_fn(|_| Vec::new());
-        // Of a constant roll by configuration and roll, else by configuration alone.
-        let mut worst = vec![0.0_f32; Configuration::COUNT * if is_one { grid.len() } else { 1 }];
+        // By configuration, and of one roll by that as well.
+        let mut each = [0.0_f32; Configuration::COUNT];
+        let mut one = vec![0.0_f32; Configuration::COUNT * grid.len()];
         let ladder = Ladder::bare(&self.arm, self.stations, stand, self.options.part);
         for &i in &self.keys {
             ladder.errors_at(i, &grid, &mut errors)?;
-            for (c, errors) in errors.iter().enumerate() {
-                if is_one {
-                    let worst = &mut worst[c * grid.len()..][..grid.len()];
-                    worst.iter_mut().zip(errors).for_each(|(worst, error)| *worst = worst.max(*error));
-                } else {
-                    worst[c] = worst[c].max(errors.iter().copied().fold(f32::INFINITY, f32::min));
-                }
+            for ((errors, each), one) in errors.iter().zip(&mut each).zip(one.chunks_mut(grid.len())) {
+                *each = each.max(errors.iter().copied().fold(f32::INFINITY, f32::min));
+                one.iter_mut().zip(errors).for_each(|(one, error)| *one = one.max(*error));
             }
-            if worst.iter().all(|worst| *worst == f32::INFINITY) {
+            if each.iter().all(|worst| *worst == f32::INFINITY) {
                 break;
             }
         }
-        Ok(f64::from(worst.into_iter().fold(f32::INFINITY, f32::min)))
+        let least = |worst: &[f32]| f64::from(worst.iter().copied().fold(f32::INFINITY, f32::min));
+        Ok([least(&each), least(&one)])
     }
 
-    /// The best places of a grid over all, apart from one another, and of how many.
-    fn coarse(&self, watch: Watch) -> Result<(Vec<Start>, [usize; 4]), MillError> {
+    /// The best places of a grid over all, apart from one another, by the rolls that count, and of how many.
+    fn coarse(&self, watch: Watch) -> Result<(Vec<(Rolls, Vec<Start>)>, [usize; 4]), MillError> {
         let grids = self.site.coarse();
         let parts = watch.parts(Some(grids.iter().map(|grid| grid.places.len()).sum()));
-        let mut found: Vec<Start> = Vec::new();
+        let mut found: Vec<(Place, Place, [f64; 2])> = Vec::new();
         for Coarse { places, apart, .. } in &grids {
             let of = |place: &Place| {
                 parts.one_more()?;
-                Ok::<_, MillError>(Start { value: self.value(place, ROLLS[0])?, place: *place, apart: *apart })
+                Ok::<_, MillError>((*place, *apart, self.values(place, ROLLS[0])?))
             };
             found.extend(parallel::try_each(places, of)?);
         }
-        found.retain(|start| start.value.is_finite());
-        found.sort_by(|a, b| a.value.total_cmp(&b.value));
-        let mut chosen: Vec<Start> = Vec::new();
-        for one in found {
-            let is_apart = |other: &Start| (0..4).any(|i| 2.5 * one.apart[i] < (one.place[i] - other.place[i]).abs());
-            if chosen.len() < FURTHER && chosen.iter().all(is_apart) {
-                chosen.push(one);
+        let by_rolls = Rolls::of(self.options.roll).iter().map(|&by| {
+            let start = |&(place, apart, [each, one]): &(Place, Place, [f64; 2])| match by {
+                Rolls::BestOfEach => Start { value: each, place, apart, by },
+                Rolls::OneForAll => Start { value: one, place, apart, by },
+            };
+            let mut starts: Vec<Start> = found.iter().map(start).filter(|start| start.value.is_finite()).collect();
+            starts.sort_by(|a, b| a.value.total_cmp(&b.value));
+            (by, apart(starts))
+        });
+        Ok((by_rolls.collect(), grids.first().map_or([0; 4], |grid| grid.counts)))
+    }
+
+    /// Steps from the best places, and the path followed from the best that these lead to, until no sample joins those that stand for it; the places at
+    /// last, and the last step, m.
+    fn refined(
+        &mut self,
+        question: &Question,
+        (by, mut starts): (Rolls, Vec<Start>),
+        Sought { best, nearest }: &mut Sought,
+        watch: Watch,
+    ) -> Result<(Vec<Start>, f64), MillError> {
+        let mut step = 0.0;
+        for _ in 0..ROUNDS {
+            let mut steps: Vec<Start> = Vec::new();
+            for start in &starts {
+                watch.go_on()?;
+                let (found, last) = self.descended(start, &|_| Ok(true))?;
+                steps.push(found);
+                step = last;
             }
+            steps.sort_by(|a, b| a.value.total_cmp(&b.value));
+            let mut has_joined = false;
+            for Start { value, place, .. } in steps.iter().take(2).filter(|start| start.value.is_finite()) {
+                // What one roll gives may still be less where it changes.
+                let is_least = matches!(by, Rolls::BestOfEach) || matches!(self.options.roll, RollMode::Constant);
+                if is_least && best.as_ref().is_some_and(|best| best.0 <= *value && !best.2.touches()) {
+                    break;
+                }
+                let key = match question.milled(&self.stand(place), solve::ROLLS[0], watch)?.1 {
+                    Milled::Followed(found) => {
+                        let key = found.worst.1;
+                        if best.as_ref().is_none_or(|best| found.is_better_than(&best.2, 0.0)) {
+                            *best = Some((found.worst.0, *place, found));
+                        }
+                        key
+                    }
+                    Milled::Blocked(blocked) => {
+                        *nearest = nearest.take().filter(|other| blocked.way <= other.way).or(Some(blocked));
+                        let stations = self.stations;
+                        stations.partition_point(|station| station.sample.way < blocked.way).min(stations.len() - 1)
+                    }
+                };
+                if !self.keys.contains(&key) {
+                    self.keys.push(key);
+                    has_joined = true;
+                }
+            }
+            if !has_joined {
+                break;
+            }
+            steps.truncate(STARTS);
+            starts = steps;
         }
-        Ok((chosen, grids.first().map_or([0; 4], |grid| grid.counts)))
+        Ok((starts, step))
     }
 
     /// The best place of a search among those alone at which all of the path is followed, and clear where that is wanted, where the samples that stand
@@ -393,7 +447,7 @@ impl Search<'_> {
         from: &Start,
         counts: &dyn Fn(&Place) -> Result<bool, MillError>,
     ) -> Result<(Start, f64), MillError> {
-        let mut best = Start { value: self.value(&from.place, ROLLS[1])?, ..*from };
+        let mut best = Start { value: self.value(&from.place, ROLLS[1], from.by)?, ..*from };
         let mut steps = from.apart.map(|apart| apart / 2.0);
         let ways = ways(&steps);
         for _ in 0..HALVINGS {
@@ -401,7 +455,7 @@ impl Search<'_> {
                 let place = |way: &Place| std::array::from_fn(|i| best.place[i] + way[i] * steps[i]);
                 let around: Vec<Place> = ways.iter().map(place).collect();
                 let of = |place: &Place| {
-                    Ok::<_, MillError>(Start { value: self.value(place, ROLLS[1])?, place: *place, ..*from })
+                    Ok::<_, MillError>(Start { value: self.value(place, ROLLS[1], from.by)?, place: *place, ..*from })
                 };
                 let mut found = parallel::try_each(&around, of)?;
                 found.retain(|one| one.value < best.value * (1.0 - 1e-6));
@@ -422,6 +476,18 @@ impl Search<'_> {
         }
         Ok((best, steps[0] * 2.0))
     }
+}
+
+/// The first of a sorted list that lie apart from one another.
+fn apart(sorted: Vec<Start>) -> Vec<Start> {
+    let mut chosen: Vec<Start> = Vec::new();
+    for one in sorted {
+        let is_apart = |other: &Start| (0..4).any(|i| 2.5 * one.apart[i] < (one.place[i] - other.place[i]).abs());
+        if chosen.len() < FURTHER && chosen.iter().all(is_apart) {
+            chosen.push(one);
+        }
+    }
+    chosen
 }
 
 /// One step back, none or one forth along everything that may be stepped along.

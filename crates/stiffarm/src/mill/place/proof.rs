@@ -255,7 +255,7 @@ fn squared(range: Interval) -> Interval {
 mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
-    use crate::mill::place::PathGround;
+    use crate::mill::place::{PathGround, Rolls};
     use crate::mill::{Acting, MillOptions, stations};
     use crate::place::Margins;
     use crate::toolpath::{Builtin, Steps};
@@ -286,7 +286,7 @@ mod tests {
                 let bound = search.bounded(&Node { lower: 0.0, ranges, block: None }, &axes, f64::INFINITY).unwrap();
                 for _ in 0..4 {
                     let place = ranges.map(|range| range.min() + range.width() * rng.f64());
-                    let value = search.value(&place, ROLLS[1]).unwrap();
+                    let value = search.value(&place, ROLLS[1], Rolls::BestOfEach).unwrap();
                     let Some(bound) = bound else {
                         assert!(value == f64::INFINITY, "{ranges:?}: {value} at {place:?}");
                         closed += 1;
