@@ -166,11 +166,12 @@ fn verb_named(name: &str) -> Option<Verb> {
 fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Common), Failure> {
     let mut pairs = typed(matches);
     common.check = CHECKED.contains(&verb) && matches.get_flag(CHECK);
-    let (mut reader, mut read) = (Spelling::Typed, None);
+    let (mut of, mut reader, mut read) = (verb, Spelling::Typed, None);
     match positionals_of(matches).as_slice() {
         [] => {}
         [one] => {
             if let Some(job) = job_file(verb, one)? {
+                of = job.verb;
                 reader = Spelling::Key { file: files::shown(Path::new(one)), line: None };
                 read = Some(PathBuf::from(one));
                 common.take(&job.program, matches)?;
@@ -187,7 +188,10 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
             verb.name()
         )));
     }
-    let request = Request::of_task(verb, &pairs, reader)?;
+    let request = Request::of_task(of, &pairs, reader)?;
+    if let Some(file) = read.as_ref().filter(|_| of != verb && !request.is_of_path(verb)) {
+        return Err(of_another(file, of, verb));
+    }
     if common.check && request.verb == Verb::Mill && request.is_dry() {
         let why = "check does not go with dry: of a path that is only read nothing holds or fails";
         return Err(Failure::usage(why));
@@ -226,11 +230,15 @@ fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
         return Ok(None);
     }
     let job = job::read(&text, path)?;
-    if job.verb != verb {
-        let (asked, found) = (verb.name(), job.verb.name());
-        return Err(Failure::usage(format!("{} is a job for {found}; {asked} was asked", files::shown(path))));
+    // A ranking or a place on a path is kept as the job for `mill` that it is.
+    if job.verb != verb && !(job.verb == Verb::Mill && matches!(verb, Verb::Rank | Verb::Place)) {
+        return Err(of_another(path, job.verb, verb));
     }
     Ok(Some(job))
+}
+
+fn of_another(file: &Path, found: Verb, asked: Verb) -> Failure {
+    Failure::usage(format!("{} is a job for {}; {} was asked", files::shown(file), found.name(), asked.name()))
 }
 
 /// The job file that asks the same, to be written with the answer.

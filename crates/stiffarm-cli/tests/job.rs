@@ -132,6 +132,7 @@ fn a_job_that_makes_no_sense_is_refused_and_nothing_is_written_over_what_is_read
     write("same.toml", "verb = 'place'\nforce-n = 1\nforce-n = 2\n");
     write("text.toml", "verb = 'place'\ntask A:0.3\n");
     write("model.toml", "verb = 'place'\nrobot = 'BT200L'\ntask = 'A:0.3'\nroll-deg = 3\n");
+    write("milled.toml", "verb = 'mill'\npath = 'line:0.1'\nrobot = 'BT200L'\nforce-n = 9\nat = [1.5, 0, 0.8]\n");
     write("less.toml", "verb = 'place'\nrobot = 'BT200L'\n");
     write("threads.toml", "verb = 'place'\nrobot = 'BT200L'\ntask = 'A:0.3'\nthreads = 0\n");
     write("huge.toml", &format!("verb = 'place'\n{}", "#".repeat(5 << 20)));
@@ -148,6 +149,8 @@ fn a_job_that_makes_no_sense_is_refused_and_nothing_is_written_over_what_is_read
         (&["place", "huge.toml"], 1, "larger than 4 MiB"),
         (&["place", "nothing.toml"], 1, "cannot read nothing.toml"),
         (&["map", "job.toml"], 2, "job.toml is a job for place; map was asked"),
+        (&["rank", "milled.toml"], 2, "milled.toml is a job for mill; rank was asked"),
+        (&["place", "milled.toml"], 2, "milled.toml is a job for mill; place was asked"),
         (&["rank", "robot.toml"], 2, "robot.toml: verb is missing; expected rank"),
         (&["rank", "BT200L"], 2, "'BT200L' is no job file"),
         (&["place", "job.toml", "--save-job", "job.toml"], 2, "cannot write job.toml: the command reads this file"),

@@ -15,6 +15,7 @@ use stiffarm::map::{Grid, HeldPosture, Map, MapOptions, Margins, ROLL_TOLERANCE}
 use stiffarm::mass::RigidBody;
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::modes::{FirstFrequencies, HeldTool};
+use stiffarm::plane::Elbow;
 
 /// The answer of `map`, with what was asked.
 ///
@@ -108,6 +109,7 @@ impl MapAnswer {
         force::put(&mut record, self.options.load);
         record
             .put(field::DIRECTION, direction)
+            .put(field::ELBOW_MAPPED, self.options.elbow.map(Elbow::name))
             .put(field::TOOL, tool.as_ref().map(tool_mm))
             .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
             .put(field::ROLL_TOLERANCE, searched.then_some(ROLL_TOLERANCE))
@@ -190,6 +192,9 @@ impl MapAnswer {
             lines.push(line("mapped", mapped));
             lines.push(line("tool", words::tool(&tool)));
         } else {
+            if let Some(elbow) = self.options.elbow {
+                let _ = write!(mapped, ", elbow {} alone", elbow.name());
+            }
             lines.push(line("mapped", mapped));
         }
         lines.push(line("points", format!("{} x {}, every {:.4} m", grid.x.count, grid.z.count, grid.x.step)));
@@ -245,17 +250,34 @@ impl MapAnswer {
         lines
     }
 
+    /// In which posture and at which roll each point is held.
+    fn held_in_words(&self) -> String {
+        let HeldPosture { roll, configuration, .. } = self.held();
+        let posture = configuration.map_or_else(
+            || "the best posture of each point".to_owned(),
+            |configuration| format!("posture {configuration} alone"),
+        );
+        match roll {
+            None => format!("{posture} and its best roll, to 0.1 %"),
+            Some(roll) => format!("{posture}, at a roll of {}", words::degrees(roll)),
+        }
+    }
+
     /// What stands below the table.
     pub fn notes(&self) -> String {
         let notes = match self.model {
-            Model::Spatial(_) if self.options.load.breaks_symmetry() => {
-                "the section points straight ahead and stands for itself alone: the force is fixed to the base; the best posture of each point and its best roll, to 0.1 %\n\
-                 -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
-            }
-            Model::Planar(_) => "-o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map\n",
+            Model::Planar(_) => "-o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map\n".to_owned(),
             Model::Spatial(_) => {
-                "the section points straight ahead and stands for every direction about the joint-1 axis; the best posture of each point and its best roll, to 0.1 %\n\
-                 -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
+                let stands = if self.options.load.breaks_symmetry() {
+                    "for itself alone: the force is fixed to the base"
+                } else {
+                    "for every direction about the joint-1 axis"
+                };
+                format!(
+                    "the section points straight ahead and stands {stands}; {}\n\
+                     -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n",
+                    self.held_in_words()
+                )
             }
         };
         let robot = self.model.robot();

@@ -2,7 +2,7 @@
 
 use crate::answer::words::{acting, class, mapped, tool};
 use crate::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
-use crate::request::Request;
+use crate::request::{Request, opt};
 use serde_json::Value;
 use stiffarm::model::ModelKind;
 use stiffarm::robot::Robot;
@@ -26,6 +26,10 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<CompareOutput,
 /// What is asked of a setup, and its robot.
 fn setup(name: &str, asked: &Request, context: Context) -> Result<(Request, Robot), AskError> {
     let request = context.sources.setup(name, asked)?;
+    // What is missing is an option of `compare`.
+    if !request.is_given(opt::TASK) {
+        asked.task()?;
+    }
     request.check_complete()?;
     let robot = super::selection::robot(&request.robot()?, context)?;
     Ok((request, robot))

@@ -140,13 +140,16 @@ impl Frame {
     }
 }
 
+/// Lines of a subtitle: what it warns of must not be cut from a narrow figure.
+const MOST_LINES: usize = 12;
+
 /// The heading of a figure; returns the height it takes, px.
 pub(crate) fn heading(canvas: &mut Canvas, title: &str, subtitle: &str) -> f64 {
     let room = canvas.width - 40.0;
     let mut y = 14.0;
     let (large, small) = (Font::new(19.0).bold(), Font::new(13.0).colour(GREY));
-    for (text, font, line) in [(title, large, 25.0), (subtitle, small, 19.0)] {
-        for text in font.wrapped(text, room, 3) {
+    for (text, font, line, most) in [(title, large, 25.0, 3), (subtitle, small, 19.0, MOST_LINES)] {
+        for text in font.wrapped(text, room, most) {
             canvas.text([20.0, y + line / 2.0], &text, font);
             y += line;
         }

@@ -161,8 +161,14 @@ impl Bands {
         canvas.text([middle, bottom + 12.0 + further[0]], small, word);
         canvas.text([middle, top - 11.0 - further[1]], large, word);
         let font = Font::new(13.0).middle();
-        let title = font.cut(title, bottom - top + 30.0);
-        canvas.text([right + 20.0 + widest, f64::midpoint(bottom, top)], &title, font.turned(-90.0));
+        // The unit stands at its end.
+        for (i, line) in font.wrapped(title, bottom - top + 30.0, 2).iter().enumerate() {
+            canvas.text(
+                [right + 20.0 + widest + 15.0 * i as f64, f64::midpoint(bottom, top)],
+                line,
+                font.turned(-90.0),
+            );
+        }
     }
 }
 

@@ -266,7 +266,7 @@ impl MilledFigure<'_> {
         let [wx, wy] = tips[found.worst.1];
         canvas.circle(frame.at(wx, wy), 4.0, &format!(r#"fill="{ALARM}""#));
         frame.draw(canvas, "x of the part mm", "y of the part mm");
-        frame.headline(canvas, "the path from above, coloured by its error");
+        frame.headline(canvas, "seen from above, by the error");
         top + scale * high
     }
 

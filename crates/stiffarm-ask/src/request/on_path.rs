@@ -66,6 +66,16 @@ impl Request {
         self.verb == Verb::Mill && (self.is_given(opt::ROBOTS) || self.filters().next().is_some())
     }
 
+    /// What is asked of a path is what this verb asks of one: `rank` of several robots, `place` for the best place of one.
+    pub fn is_of_path(&self, verb: Verb) -> bool {
+        let is_of_mill = self.verb == Verb::Mill && !self.is_dry();
+        match verb {
+            Verb::Rank => is_of_mill && self.ranks_on_path(),
+            Verb::Place => is_of_mill && !self.ranks_on_path() && !self.is_given(opt::AT),
+            _ => false,
+        }
+    }
+
     /// What chooses among robots has no meaning for one, nor with what is asked of one alone.
     pub(super) fn check_filters(&self) -> Result<(), Refusal> {
         let is_of_one = |given: &&super::Given| given.setting.excludes.contains(&"robots");

@@ -13,7 +13,7 @@ use super::reference::{head, row, unit};
 struct Page {
     text: String,
     /// What was written.
-    fields: Vec<&'static Field>,
+    slots: Vec<&'static Slot>,
     /// Objects that were written, and where.
     objects: Vec<(&'static str, String)>,
 }
@@ -34,7 +34,7 @@ impl Page {
             };
             let is_known = known.is_some();
             row(&mut self.text, &[&format!("`{path}`"), &unit(&slot.field), &format!("{}{keys}", slot.field.about)]);
-            self.fields.push(&slot.field);
+            self.slots.push(slot);
             if let Some(of) = slot.of.filter(|_| !is_known) {
                 self.objects.push((of.name, path.clone()));
                 self.write(&format!("{path}."), of);
@@ -46,7 +46,8 @@ impl Page {
         // The cut of a path is that of `chatter`.
         let is_elsewhere =
             |field: &Field| *shape == shape::PATH_CHATTER && shape::CHATTER.slots().any(|slot| slot.field == *field);
-        let is_own = |slot: &&Slot| !self.fields.contains(&&slot.field) && !is_elsewhere(&slot.field);
+        let is_known = |slot: &Slot| self.slots.iter().any(|known| known.field == slot.field && known.of == slot.of);
+        let is_own = |slot: &&Slot| !is_known(slot) && !is_elsewhere(&slot.field);
         shape.slots().filter(is_own).collect()
     }
 }
@@ -96,6 +97,7 @@ fn a_key_of_several_meanings_has_that_of_its_place() {
         (Verb::Rank, "| `winners[].best` | text | The best robot whose geometry and limits are published. |"),
         (Verb::Study, "| `rows[].best` | yes or no | The link ratio is the best. |"),
         (Verb::Measure, "| `compared.file` | text | The table. |"),
+        (Verb::Modes, "| `modes[].least_at_m` | m |"),
         (Verb::Place, "| `cell.mount` | text | How the base is mounted"),
     ] {
         let text = of_verb(verb);

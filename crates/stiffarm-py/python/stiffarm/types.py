@@ -480,8 +480,8 @@ class CompareOptions(TypedDict, total=False):
     """Keywords of `stiffarm.compare`."""
 
     task: str | None
-    """Of setups whose job files name none: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with
-    model="spatial" a part."""
+    """circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with model="spatial" a part; of setups whose job
+    files name none."""
 
     faces: str | Iterable[str] | None
     """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
@@ -3050,6 +3050,9 @@ class MapDict(TypedDict):
     direction_deg: float | None
     """Of the force in the arm plane, from straight ahead."""
 
+    elbow: str | None
+    """The one side of the elbow that was asked for, up or down; null where the stiffer of each point is mapped."""
+
     tool_mm: list[float] | None
     """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
 
@@ -3702,6 +3705,331 @@ class ComparisonDict(TypedDict):
     """What a manager would read."""
 
 
+class ForceDict(TypedDict):
+    """What `force` answers."""
+
+    schema: Schema
+
+    process: str
+    """The process file."""
+
+    law: str
+    """Where the force comes from."""
+
+    material: str | None
+    """The material whose numbers come with the program; null where they are given."""
+
+    material_status: str | None
+    """How well its numbers are known: published or unverified."""
+
+    material_source: str | None
+    """Who says so."""
+
+    mean_n: list[float] | None
+    """Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the
+    work); null where it may point anywhere."""
+
+    max_n: list[float] | None
+    """The largest of each over a revolution."""
+
+    min_n: list[float] | None
+    """The smallest of each over a revolution."""
+
+    largest_n: float
+    """The largest size of the force over a revolution."""
+
+    moment_nm: float
+    """Mean moment on the tool about its axis, positive about the axis away from the work."""
+
+    power_w: float | None
+    """Mean power of the spindle; null where its speed or the moment is not known."""
+
+    spindle_rpm: float | None
+    """Speed of the spindle."""
+
+    entry_deg: float | None
+    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+
+    exit_deg: float | None
+    """Where a tooth leaves."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+
+class ToolpathDict(TypedDict):
+    """What `mill --dry` answers."""
+
+    schema: Schema
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    format: str
+    """How it is written: gcode, apt, csv or built-in."""
+
+    lines: int | None
+    """Lines that were read."""
+
+    feed_length_m: float
+    """Length of all moves at a feed rate."""
+
+    rapid_length_m: float
+    """Length of all rapid moves whose beginning is known."""
+
+    feed_moves: int
+    """Moves at a feed rate."""
+
+    rapid_moves: int
+    """Rapid moves whose beginning is known."""
+
+    tools: list[int | None]
+    """Numbers of the tools that feed, in the order in which they come; null where none is named."""
+
+    machine_moves: int
+    """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
+
+    arcs: int
+    """Feed moves that are arcs or helices."""
+
+    full_circles: int
+    """Of these, those of a whole turn or more."""
+
+    arc_length_m: float
+    """Length of the arcs."""
+
+    box_m: list[list[float]] | None
+    """Two corners of the box about all feed moves, in the axes of the path."""
+
+    rapid_box_m: list[list[float]] | None
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
+    path; null where there is none."""
+
+    feed_mm_per_min: list[float] | None
+    """The smallest and the largest feed rate; null where none is said."""
+
+    time_s: float | None
+    """Time of all feed moves; null where a feed rate is missing."""
+
+    tilt_deg: float
+    """The largest angle between tool axis and z while it feeds."""
+
+    turn_deg: float
+    """The largest angle of the tool axis to where it first feeds."""
+
+    samples: int
+    """Samples along the path."""
+
+    chord_error_mm: float
+    """By how much chords between samples are off the arcs at most."""
+
+    arc_miss_mm: float
+    """By how much the ends of an arc miss one radius at most."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+    ignored: list[str]
+    """Words of the file that move nothing, each kind once."""
+
+
+class ExpectedDrive(TypedDict):
+    """How well a drive will be known."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    compliance_urad_per_nm: float
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+
+class MeasurementRun(TypedDict):
+    """A posture and a load."""
+
+    run: int
+    """Its number, from 1."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    load: str
+    """In which direction is loaded."""
+
+    force_n: list[float]
+    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+
+    expected_mm: float
+    """How far the marker is expected to move."""
+
+
+class ComparedTable(TypedDict):
+    """What a table of one's own is worth."""
+
+    file: str
+    """The table."""
+
+    runs: int
+    """How many runs it has."""
+
+    value: float
+    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
+    parts of the compliances."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+
+class MeasurementPlanDict(TypedDict):
+    """What `measure` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    criterion: str
+    """What a plan is judged by."""
+
+    value: float
+    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
+    parts of the compliances."""
+
+    lower_bound: float
+    """No plan of so many runs of the candidates has less."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+    random_efficiency: float | None
+    """The same of the median random choice; null where that leaves some drive unseen."""
+
+    candidates: int
+    """Among so many was chosen."""
+
+    drives: list[ExpectedDrive]
+    """One entry per drive."""
+
+    unseen_drives: list[int]
+    """Drives that no candidate shows."""
+
+    unseen_share: float
+    """What part of the variance of the prediction is the prior of these drives."""
+
+    advised_loads: list[str]
+    """Directions of loads that show them, where some do."""
+
+    runs: list[MeasurementRun]
+    """One entry per run, in the order in which they are made."""
+
+    compared: ComparedTable | None
+    """What the table that was given is worth."""
+
+
+class PlannedAtWork(TypedDict):
+    """The error that a calibration leaves at the work."""
+
+    expected_mm: float
+    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+
+    lower_bound_mm: float
+    """No choice of as many of the candidates leaves less."""
+
+    random_mm: float
+    """What the median random choice leaves."""
+
+    as_drawn_mm: float
+    """Without a calibration."""
+
+    unexplained_mm: float
+    """The part of all of these that no error of the arm explains, and no calibration takes away."""
+
+    postures: int
+    """Postures over which it is computed."""
+
+
+class CalibrationLeaves(TypedDict):
+    """What so many postures leave."""
+
+    postures: int
+    """So many."""
+
+    expected_mm: float
+    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+
+
+class PlannedPosture(TypedDict):
+    """A posture in which points are measured."""
+
+    run: int
+    """Its number, from 1."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+
+class CalibrationPlanDict(TypedDict):
+    """What `measure --geometry` answers."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    at_work: PlannedAtWork
+    """The error that remains at the work: expected, with its interval, and over how many postures; null where
+    the arm does not reach it."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+    random_efficiency: float
+    """The same of the median random choice; null where that leaves some drive unseen."""
+
+    candidates: int
+    """Among so many was chosen."""
+
+    by_count: list[CalibrationLeaves]
+    """What so many postures leave, each chosen after those before."""
+
+    runs: list[PlannedPosture]
+    """One entry per run, in the order in which they are made."""
+
+
 class IdentifiedDrive(TypedDict):
     """What is found of a drive."""
 
@@ -3948,203 +4276,6 @@ class IdentificationDict(TypedDict):
     """What is odd."""
 
 
-class ExpectedDrive(TypedDict):
-    """How well a drive will be known."""
-
-    drive: int
-    """Which drive, from 1."""
-
-    compliance_urad_per_nm: float
-    """The compliance found; null where it is not seen."""
-
-    standard_error_urad_per_nm: float | None
-    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
-
-
-class MeasurementRun(TypedDict):
-    """A posture and a load."""
-
-    run: int
-    """Its number, from 1."""
-
-    joints_deg: list[float]
-    """Joint angles as the robot reports them, deg."""
-
-    load: str
-    """In which direction is loaded."""
-
-    force_n: list[float]
-    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
-
-    expected_mm: float
-    """How far the marker is expected to move."""
-
-
-class ComparedTable(TypedDict):
-    """What a table of one's own is worth."""
-
-    file: str
-    """The table."""
-
-    runs: int
-    """How many runs it has."""
-
-    value: float
-    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
-    parts of the compliances."""
-
-    efficiency: float
-    """The bound over the value: 1 is proved best."""
-
-
-class MeasurementPlanDict(TypedDict):
-    """What `measure` answers."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    architecture: str
-    """serial or quasi-serial."""
-
-    architecture_assumed: bool
-    """Nothing says that it is of this architecture."""
-
-    status: str
-    """How well the robot's numbers are known."""
-
-    stiffness_source: str
-    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
-
-    drive_urad_per_nm: list[float | None]
-    """The compliance of each drive; null where a robot of two links has none."""
-
-    pendant: str
-    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
-    whoever asks), unknown."""
-
-    criterion: str
-    """What a plan is judged by."""
-
-    value: float
-    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
-    parts of the compliances."""
-
-    lower_bound: float
-    """No plan of so many runs of the candidates has less."""
-
-    efficiency: float
-    """The bound over the value: 1 is proved best."""
-
-    random_efficiency: float | None
-    """The same of the median random choice; null where that leaves some drive unseen."""
-
-    candidates: int
-    """Among so many was chosen."""
-
-    drives: list[ExpectedDrive]
-    """One entry per drive."""
-
-    unseen_drives: list[int]
-    """Drives that no candidate shows."""
-
-    unseen_share: float
-    """What part of the variance of the prediction is the prior of these drives."""
-
-    advised_loads: list[str]
-    """Directions of loads that show them, where some do."""
-
-    runs: list[MeasurementRun]
-    """One entry per run, in the order in which they are made."""
-
-    compared: ComparedTable | None
-    """What the table that was given is worth."""
-
-
-class PlannedAtWork(TypedDict):
-    """The error that a calibration leaves at the work."""
-
-    expected_mm: float
-    """Root mean square of the error that remains at the work, where it is found by the tracker."""
-
-    lower_bound_mm: float
-    """No choice of as many of the candidates leaves less."""
-
-    random_mm: float
-    """What the median random choice leaves."""
-
-    as_drawn_mm: float
-    """Without a calibration."""
-
-    unexplained_mm: float
-    """The part of all of these that no error of the arm explains, and no calibration takes away."""
-
-    postures: int
-    """Postures over which it is computed."""
-
-
-class CalibrationLeaves(TypedDict):
-    """What so many postures leave."""
-
-    postures: int
-    """So many."""
-
-    expected_mm: float
-    """Root mean square of the error that remains at the work, where it is found by the tracker."""
-
-
-class PlannedPosture(TypedDict):
-    """A posture in which points are measured."""
-
-    run: int
-    """Its number, from 1."""
-
-    joints_deg: list[float]
-    """Joint angles as the robot reports them, deg."""
-
-
-class CalibrationPlanDict(TypedDict):
-    """What `measure --geometry` answers."""
-
-    schema: Schema
-
-    robot: str
-    """The maker's name for the robot."""
-
-    vendor: str
-    """The maker."""
-
-    pendant: str
-    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
-    whoever asks), unknown."""
-
-    points_mm: list[list[float]]
-    """The points that were looked at, in the flange frame, mm."""
-
-    at_work: PlannedAtWork
-    """The error that remains at the work: expected, with its interval, and over how many postures; null where
-    the arm does not reach it."""
-
-    efficiency: float
-    """The bound over the value: 1 is proved best."""
-
-    random_efficiency: float
-    """The same of the median random choice; null where that leaves some drive unseen."""
-
-    candidates: int
-    """Among so many was chosen."""
-
-    by_count: list[CalibrationLeaves]
-    """What so many postures leave, each chosen after those before."""
-
-    runs: list[PlannedPosture]
-    """One entry per run, in the order in which they are made."""
-
-
 class LevelFit(TypedDict):
     """What a level leaves."""
 
@@ -4385,134 +4516,6 @@ class FittingRobotsDict(TypedDict):
 
     fits: list[WayOfCounting]
     """Robots and ways of counting the joints, the best first."""
-
-
-class ToolpathDict(TypedDict):
-    """What `mill --dry` answers."""
-
-    schema: Schema
-
-    path: str
-    """The toolpath as it was asked for."""
-
-    format: str
-    """How it is written: gcode, apt, csv or built-in."""
-
-    lines: int | None
-    """Lines that were read."""
-
-    feed_length_m: float
-    """Length of all moves at a feed rate."""
-
-    rapid_length_m: float
-    """Length of all rapid moves whose beginning is known."""
-
-    feed_moves: int
-    """Moves at a feed rate."""
-
-    rapid_moves: int
-    """Rapid moves whose beginning is known."""
-
-    tools: list[int | None]
-    """Numbers of the tools that feed, in the order in which they come; null where none is named."""
-
-    machine_moves: int
-    """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
-
-    arcs: int
-    """Feed moves that are arcs or helices."""
-
-    full_circles: int
-    """Of these, those of a whole turn or more."""
-
-    arc_length_m: float
-    """Length of the arcs."""
-
-    box_m: list[list[float]] | None
-    """Two corners of the box about all feed moves, in the axes of the path."""
-
-    rapid_box_m: list[list[float]] | None
-    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
-    path; null where there is none."""
-
-    feed_mm_per_min: list[float] | None
-    """The smallest and the largest feed rate; null where none is said."""
-
-    time_s: float | None
-    """Time of all feed moves; null where a feed rate is missing."""
-
-    tilt_deg: float
-    """The largest angle between tool axis and z while it feeds."""
-
-    turn_deg: float
-    """The largest angle of the tool axis to where it first feeds."""
-
-    samples: int
-    """Samples along the path."""
-
-    chord_error_mm: float
-    """By how much chords between samples are off the arcs at most."""
-
-    arc_miss_mm: float
-    """By how much the ends of an arc miss one radius at most."""
-
-    assumed: list[str]
-    """What the file leaves open and how it was taken, with the line that came first."""
-
-    ignored: list[str]
-    """Words of the file that move nothing, each kind once."""
-
-
-class ForceDict(TypedDict):
-    """What `force` answers."""
-
-    schema: Schema
-
-    process: str
-    """The process file."""
-
-    law: str
-    """Where the force comes from."""
-
-    material: str | None
-    """The material whose numbers come with the program; null where they are given."""
-
-    material_status: str | None
-    """How well its numbers are known: published or unverified."""
-
-    material_source: str | None
-    """Who says so."""
-
-    mean_n: list[float] | None
-    """Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the
-    work); null where it may point anywhere."""
-
-    max_n: list[float] | None
-    """The largest of each over a revolution."""
-
-    min_n: list[float] | None
-    """The smallest of each over a revolution."""
-
-    largest_n: float
-    """The largest size of the force over a revolution."""
-
-    moment_nm: float
-    """Mean moment on the tool about its axis, positive about the axis away from the work."""
-
-    power_w: float | None
-    """Mean power of the spindle; null where its speed or the moment is not known."""
-
-    spindle_rpm: float | None
-    """Speed of the spindle."""
-
-    entry_deg: float | None
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
-
-    exit_deg: float | None
-    """Where a tooth leaves."""
-
-    assumed: list[str]
-    """What the file leaves open and how it was taken, with the line that came first."""
 
 
 class PublishedNumber(TypedDict):

@@ -6,6 +6,7 @@ fields! {
     WORST: "worst_mm", Kind::Number(Unit::Millimetre), "Deflection under the force in its worst direction.";
     DIRECTED: "deflection_mm", Kind::Number(Unit::Millimetre), "Deflection under the force in the direction asked for.";
     DIRECTION: "direction_deg", Kind::Number(Unit::Given("deg")), "Of the force in the arm plane, from straight ahead.";
+    ELBOW_MAPPED: "elbow", Kind::Text, "The one side of the elbow that was asked for, up or down; null where the stiffer of each point is mapped.";
     ROLL_TOLERANCE: "roll_tolerance", Kind::Number(Unit::One), "How much more than at the best roll a point may tell, relative.";
     POSTURE: "posture", Kind::Text, "The configuration that holds a point.";
     X_OF_COLUMNS: "x_m", Kind::List(&Kind::Number(Unit::Metre)), "Ahead, from the base: of each column of cells.";

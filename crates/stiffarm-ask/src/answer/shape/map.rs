@@ -16,6 +16,7 @@ shapes! {
         &[OF_ROBOT, slots![MODEL], OF_FORCE, OF_VIEW, OF_TOOL_BODY, OF_ZONE];
 }
 
-const OF_VIEW: &[Slot] = slots![DIRECTION | null, TOOL | null, TOOL_DIRECTION | null, ROLL_TOLERANCE | null];
+const OF_VIEW: &[Slot] =
+    slots![DIRECTION | null, ELBOW_MAPPED | null, TOOL | null, TOOL_DIRECTION | null, ROLL_TOLERANCE | null];
 
 const OF_ZONE: &[Slot] = slots![SLOWEST_P05 | null, ZONE | null => PLACEMENT];

@@ -63,7 +63,7 @@ pub(super) const ROWS: &[Setting] = &[
         verbs: COMPARE,
         kind: Kind::Task,
         value: "TASK",
-        help: "Of setups whose job files name none: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part",
+        help: "circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part; of setups whose job files name none",
         example: "rect:0.6x0.4",
         ..ROW
     }),

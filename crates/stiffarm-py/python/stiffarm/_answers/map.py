@@ -49,6 +49,8 @@ class Map(Table[MapDict]):
     #: (nz, nx) under the force in the direction that was given.
     deflection_mm: Array | None
     direction_deg: float | None
+    #: The one side of the elbow that was asked for; None where the stiffer of each point is mapped.
+    elbow: str | None
     tool_mm: list[float] | None
     tool_direction_deg: float | None
     #: How much more than at the best roll a point may tell, relative; spatial model, where no roll was given.
