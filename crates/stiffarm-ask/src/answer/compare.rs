@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::verdict::{SURE, percent};
+use super::uncertainty::share_of_draws;
+use super::verdict::SURE;
 use super::words::{self, degrees, fixed};
 use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, shape, stiffness, with_schema};
 use stiffarm::model::ModelKind;
@@ -190,7 +191,7 @@ impl CompareAnswer {
         if self.best().iter().any(Option::is_some) {
             row("proved (nominal stiffness)", [standing(0), standing(1)]);
         }
-        let share = |side: usize| self.chances().map(|chances| format!("{} of {DRAWS}", percent(chances[side])));
+        let share = |side: usize| self.chances().map(|chances| format!("{} of {DRAWS}", share_of_draws(chances[side])));
         row("stiffer (drives drawn)", [share(0), share(1)]);
         table
     }
@@ -207,13 +208,13 @@ impl CompareAnswer {
                     Some(share) if SURE <= share[better] => format!(
                         "{} is better: {clause}, which is proved at the nominal stiffness, and it is stiffer in {} of the draws of the drives.",
                         called(better),
-                        percent(share[better])
+                        share_of_draws(share[better])
                     ),
                     Some(share) => format!(
                         "At the nominal stiffness {} is better, which is proved: {clause}. By what is known of the drives {}: it is stiffer in {} of the draws.",
                         called(better),
                         if SURE <= share[1 - better] { "it is not" } else { "they tie" },
-                        percent(share[better])
+                        share_of_draws(share[better])
                     ),
                     None => {
                         format!("At the nominal stiffness {} is better, which is proved: {clause}.", called(better))

@@ -85,6 +85,11 @@ pub(super) fn sentences(ranking: &Ranking, chances: &[Vec<Option<Chances>>]) -> 
     ranking.tasks.iter().enumerate().filter_map(sentence_of).collect()
 }
 
+/// A share of the draws, to a tenth of a percent: so finely they tell it.
+pub(super) fn share_of_draws(share: f64) -> String {
+    format!("{} %", fixed(100.0 * share, 1))
+}
+
 /// The same of one task and the robots of which their chances are known.
 pub(super) fn sentence(label: &str, mut known: Vec<(&str, Chances)>) -> Option<String> {
     known.sort_by(|a, b| b.1.win.total_cmp(&a.1.win));

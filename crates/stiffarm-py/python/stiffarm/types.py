@@ -1264,7 +1264,7 @@ class Resolution(TypedDict):
     """How finely a place was looked for."""
 
     coarse_step_m: float
-    """Distance between the places of the coarse search."""
+    """Distance between the places of the coarse search; 0 where there is one place."""
 
     coarse_mm: float | None
     """The best value of the coarse search."""

@@ -81,7 +81,7 @@ fields! {
     FACE: "face", Kind::Text, "Which face of a part.";
     FACE_CENTRE: "centre_m", numbers(Unit::Metre, &["centre_x_m", "centre_y_m", "centre_z_m"]), "Its centre.";
     RESOLUTION: "resolution", Kind::Object, "How finely a place was looked for.";
-    COARSE_STEP: "coarse_step_m", Kind::Number(Unit::Metre), "Distance between the places of the coarse search.";
+    COARSE_STEP: "coarse_step_m", Kind::Number(Unit::Metre), "Distance between the places of the coarse search; 0 where there is one place.";
     COARSE: "coarse_mm", Kind::Number(Unit::Millimetre), "The best value of the coarse search.";
     FINE_STEP: "fine_step_m", Kind::Number(Unit::Metre), "The last step of the refinement.";
     FINE_TURN: "fine_turn_deg", Kind::Number(Unit::Degree), "The last turn of the refinement.";

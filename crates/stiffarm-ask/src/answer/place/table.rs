@@ -232,12 +232,16 @@ fn hold_lines(hold: &SpaceHold) -> Vec<Line> {
         line("nearest singular posture", format!("{} away", degrees(hold.singular_margin))),
         line(
             "search",
-            format!(
-                "grid of {:.0} mm ({coarse}), refined to {:.2} mm and {:.3} deg",
-                found.coarse_step * 1e3,
-                found.fine_step * 1e3,
-                found.fine_turn.to_degrees()
-            ),
+            if found.coarse_step == 0.0 {
+                format!("at one place, turns refined to {:.3} deg", found.fine_turn.to_degrees())
+            } else {
+                format!(
+                    "grid of {:.0} mm ({coarse}), refined to {:.2} mm and {:.3} deg",
+                    found.coarse_step * 1e3,
+                    found.fine_step * 1e3,
+                    found.fine_turn.to_degrees()
+                )
+            },
         ),
         line(
             "poses in the zone",

@@ -146,7 +146,7 @@ impl Search<'_> {
             singular_margin: followed.singular_margin,
             clearance: self.clearance(work, followed),
             resolution: Resolution {
-                coarse_step: self.step,
+                coarse_step: if self.is_one_place() { 0.0 } else { self.step },
                 coarse: coarse.is_feasible().then_some(coarse.worst * self.options.force),
                 fine_step: FINE.0,
                 fine_turn: FINE.1,

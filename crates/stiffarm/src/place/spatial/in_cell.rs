@@ -383,7 +383,10 @@ impl<'a> CellSearch<'a> {
             worst_joints,
             by_drive: solution.by_drive.iter().map(|parts| parts.map(|part| axes * part * axes.transpose())).collect(),
             worst_forces: solution.worst_forces.map(|forces| forces.turned(axes)),
-            resolution: Resolution { coarse_step: step, ..solution.resolution },
+            resolution: Resolution {
+                coarse_step: if self.ground.is_one_place() { 0.0 } else { step },
+                ..solution.resolution
+            },
             ..solution
         }))
     }

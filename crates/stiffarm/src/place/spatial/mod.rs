@@ -113,7 +113,7 @@ impl<'a> Question<'a> {
 /// How finely a place was looked for, and what that leaves open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolution {
-    /// Distance between the places of the coarse search, m.
+    /// Distance between the places of the coarse search, m; zero at one place.
     pub coarse_step: f64,
     /// The best value of the coarse search, m; `None` where it saw no whole zone.
     pub coarse: Option<f64>,

@@ -173,7 +173,7 @@ impl<'a> Search<'a> {
     }
 
     /// No place is left to choose.
-    fn is_one_place(&self) -> bool {
+    pub(super) fn is_one_place(&self) -> bool {
         self.region.iter().all(|range| range.width() == 0.0)
     }
 
