@@ -80,10 +80,10 @@ fn usage(verb: Verb) -> String {
             },
         )
         .collect();
-    if verb != Verb::List {
-        format!("stiffarm {name} [OPTIONS]{required}{about}\n       stiffarm {name} [OPTIONS] JOB.toml")
-    } else {
+    if verb == Verb::List {
         format!("stiffarm {name} [OPTIONS] [TEXT]...")
+    } else {
+        format!("stiffarm {name} [OPTIONS]{required}{about}\n       stiffarm {name} [OPTIONS] JOB.toml")
     }
 }
 

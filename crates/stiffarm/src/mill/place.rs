@@ -141,6 +141,9 @@ impl Rolls {
     }
 }
 
+/// Places from which steps are taken, for each way of judging them.
+type ByRolls = Vec<(Rolls, Vec<Start>)>;
+
 /// The best place so far at which the path was followed, with its error, and where it is not followed what came farthest.
 struct Sought {
     best: Option<(f64, Place, Followed)>,
@@ -332,7 +335,7 @@ impl Search<'_> {
     }
 
     /// The best places of a grid over all, apart from one another, by the rolls that count, and of how many.
-    fn coarse(&self, watch: Watch) -> Result<(Vec<(Rolls, Vec<Start>)>, [usize; 4]), MillError> {
+    fn coarse(&self, watch: Watch) -> Result<(ByRolls, [usize; 4]), MillError> {
         let grids = self.site.coarse();
         let parts = watch.parts(Some(grids.iter().map(|grid| grid.places.len()).sum()));
         let mut found: Vec<(Place, Place, [f64; 2])> = Vec::new();
