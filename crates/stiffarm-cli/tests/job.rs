@@ -27,6 +27,25 @@ fn folder() -> TempDir {
     TempDir::new().expect("a folder")
 }
 
+/// What `rank` or `place` ask of a path is kept as the job for `mill` that it is, and asked again by either.
+#[test]
+fn a_job_of_a_path_is_asked_again_by_the_verb_that_saved_it() {
+    let folder = folder();
+    let path = ["--task", "line:0.05", "--force-n", "100"];
+    for (asked, job) in [
+        (&["rank", "--robots", "BT200L", "--within", "1.6..1.8,0.9..1.0"][..], "ranked.toml"),
+        (&["place", "BT200L", "--within", "1.6..1.8,0.9..1.0"], "placed.toml"),
+    ] {
+        let asked = [asked, &path, &["--format", "json"]].concat();
+        let saved = answer(folder.path(), &[&asked[..], &["--save-job", job]].concat());
+        for verb in [asked[0], "mill"] {
+            assert_eq!(answer(folder.path(), &[verb, job, "--format", "json"]), saved, "{verb} {job}");
+        }
+    }
+    let (code, _, errors) = run(folder.path(), &["place", "ranked.toml"]);
+    assert!(code == 2 && errors.contains("ranked.toml is a job for mill; place was asked"), "{code} {errors}");
+}
+
 /// Options of every verb, and the job that asks the same.
 const SAME: [(&[&str], &str); 6] = [
     (
