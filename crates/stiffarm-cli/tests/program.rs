@@ -457,7 +457,7 @@ fn a_part_is_placed_with_its_faces() {
     assert_eq!(placed["deflection_mm"].as_f64(), Some(worst));
     let flat: &[&str] = &["place", "BT200L", "--task", "A:0.1"];
     for (arguments, expected) in [
-        (place.to_vec(), "several faces needs the spatial model"),
+        (place.to_vec(), "several faces, which needs --model spatial"),
         ([&place[..], &spindle, &["--faces", "under"]].concat(), "no face 'under'; this part has top, front"),
         ([&place[..], &spindle, &["--tool-direction", "down"]].concat(), "a part says itself how the tool meets"),
         ([flat, &["--model", "spatial", "--faces", "top"]].concat(), "a flat zone is one face"),

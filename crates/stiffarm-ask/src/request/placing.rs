@@ -206,6 +206,10 @@ impl Request {
                 return Err(refused(name, "a part says itself how the tool meets each face"));
             }
         }
+        if let Some(Given { setting, at, .. }) = self.find(opt::TASK).filter(|_| has_part && !self.is_spatial()) {
+            let name = format!("{} names a part with several faces, which", at.name(setting));
+            return Err(Refusal::NeedsModel { at: at.clone(), name, model: at.model("spatial") });
+        }
         if !self.is_given(opt::FACES) {
             return Ok(());
         }

@@ -58,7 +58,11 @@ fn collect<'a>(options: &'a Map<String, Value>, before: &str, entries: &mut Vec<
 fn literal(value: &Value) -> String {
     match value {
         Value::Bool(flag) => flag.to_string(),
-        Value::Number(number) => number.to_string(),
+        // A whole number may be sent with a point: JSON knows no difference.
+        Value::Number(number) => match number.as_f64() {
+            Some(whole) if number.is_f64() && whole.fract() == 0.0 && whole.abs() < 1e15 => format!("{whole:.0}"),
+            _ => number.to_string(),
+        },
         Value::String(text) => quoted(text),
         Value::Array(items) => format!("[{}]", items.iter().map(literal).collect::<Vec<_>>().join(",")),
         Value::Null | Value::Object(_) => "{}".into(),
@@ -94,6 +98,16 @@ mod tests {
             lines
         };
         assert_eq!(sorted(&asked(&options).unwrap()), sorted(&read));
+    }
+
+    #[test]
+    fn a_whole_number_may_have_a_point() {
+        let options = json!({ "robot": "BT200L", "size": 20.0, "force-n": 1e3 });
+        let pairs = sent(Verb::Map, options.as_object().unwrap()).unwrap();
+        let texts: Vec<&str> = pairs.iter().map(|pair| pair.text.as_str()).collect();
+        assert_eq!(texts, ["BT200L", "20", "1000"]);
+        let half = sent(Verb::Map, json!({ "size": 20.5 }).as_object().unwrap()).unwrap();
+        assert!(Request::read(Verb::Map, &half, Spelling::Sent).is_err());
     }
 
     #[test]
