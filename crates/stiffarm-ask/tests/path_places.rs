@@ -308,3 +308,13 @@ fn a_program_begins_above_the_path_and_says_what_is_not_in_it() {
     assert!(down.contains(&format!("X {:.4}", from.x)), "{down} {from}");
     assert!(text.lines().position(|line| line.starts_with("$VEL.CP=0.01")).is_some(), "down at the feed rate: {text}");
 }
+
+/// A roll that may change is no worse than one that may not: what one roll gives is a way for the other as well. (Places were judged by the best
+/// roll of each sample alone, between which no way led.)
+#[test]
+fn at_the_best_place_free_rolls_are_no_worse_than_a_constant_one() {
+    let spindle = [("tool-mm", "250,0,0,0,90,0"), ("force-n", "300,100,50")];
+    let with = |roll: &str| worst(&answered("raster:circle:0.3@0.05", &[&spindle[..], &[("roll", roll)]].concat()));
+    let [free, constant] = ["free", "constant"].map(with);
+    assert!(free <= constant * (1.0 + 1e-3), "{free} {constant}");
+}

