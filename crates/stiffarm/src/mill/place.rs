@@ -131,7 +131,7 @@ enum Rolls {
 }
 
 impl Rolls {
-    /// Those that tell where a path is followed best; where the roll may change neither is it.
+    /// Those that show where a path is followed best; where the roll may change, neither of the two alone does.
     const fn of(mode: RollMode) -> &'static [Self] {
         match mode {
             RollMode::Free | RollMode::Linear => &[Self::BestOfEach, Self::OneForAll],

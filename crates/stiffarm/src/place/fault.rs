@@ -28,7 +28,7 @@ pub enum Misfit {
     NothingReached,
     /// Points are reached, but nowhere the whole zone in one posture.
     NowhereWhole {
-        /// The coarsest step of the search for one, m.
+        /// The coarsest step of the search for one, m; zero at one place.
         step: f64,
     },
     /// There are places, but the arm keeps less from everything there than was asked.
