@@ -313,7 +313,7 @@ fn a_program_begins_above_the_path_and_says_what_is_not_in_it() {
 /// roll of each sample alone, between which no way led.)
 #[test]
 fn at_the_best_place_free_rolls_are_no_worse_than_a_constant_one() {
-    let spindle = [("tool-mm", "250,0,0,0,90,0"), ("force-n", "300,100,50")];
+    let spindle = [("tool-mm", "250,0,0,0,90,0"), ("force-n", "300,100,50"), ("step-mm", "10")];
     let with = |roll: &str| worst(&answered("raster:circle:0.3@0.05", &[&spindle[..], &[("roll", roll)]].concat()));
     let [free, constant] = ["free", "constant"].map(with);
     assert!(free <= constant * (1.0 + 1e-3), "{free} {constant}");
