@@ -63,6 +63,24 @@ def test_a_milled_path_is_the_programs(program) -> None:
     assert np.allclose(frame[[f"q{i}_deg" for i in range(1, 7)]].iloc[milled.worst_sample], milled.worst_joints_deg)
 
 
+def test_every_tool_of_a_path_has_its_process_and_its_length(program, tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    cut = "S12000 M3 F600\nG0 X0 Y0 Z5\nG1 Z0\nG1 X40\nG0 Z5\n"
+    file.write_text(f"G17 G21 G90\nT1 M6\n{cut}T2 M6\n{cut}M30\n")
+    options = {"tool": "spindle:250@90", "at": (1.7, 0, 0.8), "step_mm": 20}
+    milled = stiffarm.mill(file, "KR 210 R2700 extra", process={1: PROCESS, 2: str(PROCESS)}, tool_lengths_mm={1: 82.5, 2: 140}, **options)
+    typed = ["--tool", "spindle:250@90", "--at", "1.7,0,0.8", "--step-mm", "20", "--process", f"T1={PROCESS},T2={PROCESS}", "--tool-lengths-mm", "T1=82.5,T2=140"]
+    assert milled.to_dict() == program("mill", str(file), "--robot", "KR 210 R2700 extra", *typed)
+    assert milled.by_tool is not None and [one["tool_number"] for one in milled.by_tool] == [1, 2] and milled.worst_tool in (1, 2)
+    as_texts = {"process": [f"T1={PROCESS}", f"T2={PROCESS}"], "tool_lengths_mm": ["T1=82.5", "T2=140"]}
+    assert stiffarm.mill(file, "KR 210 R2700 extra", **as_texts, **options) == milled
+    one = stiffarm.mill(file, "KR 210 R2700 extra", process=PROCESS, only_tool=2, **options)
+    assert one.worst_mm is not None and one.by_tool is None
+    for given, says in [({"tool_lengths_mm": {1: "long"}}, "T1=long"), ({"process": {1: "none.toml"}, "only_tool": 1}, "none.toml")]:
+        with pytest.raises(stiffarm.StiffarmError, match=says):
+            stiffarm.mill(file, "KR 210 R2700 extra", **{"process": PROCESS, **given}, **options)  # type: ignore[arg-type]
+
+
 def test_robots_ranked_on_a_path_are_the_programs(program) -> None:
     options = {"tool": "spindle:250@90", "force_n": 400, "step_mm": 50, "error": "across", "within_m": "1.4..1.8,0.6..0.9"}
     ranked = stiffarm.mill("line:0.1", robots=["KR 210 R2700 extra", "Staubli TX340 SH", "IRB 6650S*"], vendor="KUKA", tolerance_mm=2, **options)

@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import stiffarm
-from stiffarm import types
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parents[2] / "docs/examples"
 JOINTS = np.random.default_rng(3).uniform(-90, 90, (4, 6))
 SPACE = {"model": "spatial", "tool_mm": (100, 0, 200), "roll_deg": 0}
+ALONG = {"process": EXAMPLES / "endmill.toml", "tool_mm": (0, 0, 200), "step_mm": 20}
+ON_PATH = {"at": (1.8, 0, 0.8), **ALONG}
 ANSWERS = {
     "place": lambda: stiffarm.place("BT200L", task="B:0.3", tolerance_mm=2, within_m="0.5..,0.."),
     "no place": lambda: stiffarm.place("BT200L", task="A:9"),
@@ -42,11 +43,16 @@ ANSWERS = {
     "verify any": lambda: stiffarm.verify(None, EXAMPLES / "pendant.csv", any=True),
     "measure": lambda: stiffarm.measure("KR 210 R2700 extra", runs=6, candidates=200),
     "measure to calibrate": lambda: stiffarm.measure("KR 210 R2700 extra", geometry=True, runs=8, candidates=40),
+    "compare": lambda: stiffarm.compare("BT200L", "KR 210 R2700-2", task="A:0.3"),
+    "force": lambda: stiffarm.force(EXAMPLES / "endmill.toml"),
+    "path": lambda: stiffarm.mill("circle:0.3", dry=True),
+    "mill": lambda: stiffarm.mill("circle:0.1", "KR 210 R2700 extra", **ON_PATH),
+    "mill, compensated": lambda: stiffarm.mill("circle:0.1", "KR 210 R2700 extra", compensate=True, tolerance_mm=1, **ON_PATH),
+    "rank on a path": lambda: stiffarm.mill("line:0.05", robots=["KR 210 R2700-2"], within_m="1.6..1.7,0.8..0.8", roll=0, **ALONG),
+    "validate": lambda: stiffarm.validate(),
 }
-KEYS = {"Placement": "PlacementDict", "Ranking": "RankingDict", "Study": "StudyDict", "Map": "MapDict", "Compliance": "ComplianceDict", "Identification": "IdentificationDict",
-        "Modes": "ModesDict", "ModesOverZone": "ModesOverZoneDict", "Chatter": "ChatterDict", "MeasurementPlan": "MeasurementPlanDict",
-        "CalibrationPlan": "CalibrationPlanDict", "Calibration": "CalibrationDict", "Verification": "VerificationDict",
-        "FittingRobots": "FittingRobotsDict"}  # fmt: skip
+CLASSES = [kind for kind in vars(stiffarm).values() if isinstance(kind, type) and issubclass(kind, stiffarm.Answer) and kind is not stiffarm.Answer]
+KEYS = {kind.__name__: typing.get_args(kind.__orig_bases__[0])[0] for kind in CLASSES}
 
 
 def fits(value, kind, where):
@@ -77,13 +83,13 @@ def fits(value, kind, where):
 @pytest.mark.parametrize("name", ANSWERS)
 def test_answers_hold_what_their_types_say(name):
     answer = ANSWERS[name]()
-    fits(answer.to_dict(), getattr(types, KEYS[type(answer).__name__]), name)
+    fits(answer.to_dict(), KEYS[type(answer).__name__], name)
 
 
 @pytest.mark.parametrize("answer", KEYS)
 def test_every_key_is_an_attribute(answer):
     """Type checkers know attributes by their annotations alone."""
-    keys = typing.get_type_hints(getattr(types, KEYS[answer])).keys() - {"pass"} if sys.version_info >= (3, 10) else set()
+    keys = typing.get_type_hints(KEYS[answer]).keys() - {"pass"} if sys.version_info >= (3, 10) else set()
     known = {name for kind in getattr(stiffarm, answer).__mro__ for name in kind.__dict__.get("__annotations__", ())}
     assert keys <= known, keys - known
 

@@ -103,6 +103,24 @@ def listed(name: str, value: object) -> str | None:
     return ",".join(texts(name, value)) or None
 
 
+def files(value: object) -> object:
+    """Paths as texts, wherever they stand."""
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Mapping):
+        return {key: files(of) for key, of in value.items()}
+    if isinstance(value, Iterable) and not isinstance(value, str):
+        return [files(item) for item in value]
+    return value
+
+
+def of_tools(name: str, value: object) -> str | None:
+    """What each tool of a path has, by its number; as texts ``T1=...``, or one for all."""
+    if isinstance(value, Mapping):
+        value = [f"T{tool}={of}" for tool, of in value.items()]
+    return listed(name, value)
+
+
 def tasks(value: object) -> list[str]:
     """Tasks by their notation; a text may be a list with commas."""
     return [part.strip() for given in texts("tasks", value) for part in given.split(",")]

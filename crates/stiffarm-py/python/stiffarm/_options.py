@@ -60,6 +60,10 @@ def spelt(verb: str, given: Mapping[str, object]) -> dict[str, str]:
 
 def _text(option: Option, value: object) -> str | None:
     name, kind = option.keyword, option.kind
+    if kind in ("file", "fileoftool"):
+        value = _given.files(value)
+    if kind in ("fileoftool", "lengthoftool"):
+        return _given.of_tools(name, value)
     if kind == "range":
         ends: Any = value
         return _given.between(name, ends)
@@ -78,7 +82,7 @@ def _text(option: Option, value: object) -> str | None:
         return _given.listed(name, pairs)
     if kind == "flag":
         return str(_given.truth(name, value)).lower()
-    if kind in ("text", "file", "date", "word", "robot", "task", "zone", "shape", "posture", "mount"):
+    if kind in ("text", "file", "date", "word", "robot", "task", "zone", "shape", "posture", "mount", "pin"):
         return _given.listed(name, value) if option.is_list else _given.text(name, value)
     if isinstance(value, str):
         return value

@@ -654,6 +654,7 @@ def mill(
     robot: None = None,
     *,
     robots: None = None,
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
 ) -> Toolpath: ...
@@ -663,6 +664,7 @@ def mill(
     robot: RobotLike,
     *,
     robots: None = None,
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
 ) -> Milled: ...
@@ -672,6 +674,7 @@ def mill(
     robot: None = None,
     *,
     robots: RobotLike | Iterable[RobotLike],
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
 ) -> PathRanking: ...

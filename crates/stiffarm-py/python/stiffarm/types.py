@@ -5,6 +5,7 @@ Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, TypedDict
 
@@ -91,7 +92,7 @@ class PlaceOptions(TypedDict, total=False):
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
     (away from the work), in the planar model ahead,0,up."""
 
-    process: str | None
+    process: str | os.PathLike[str] | None
     """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
     across and axial; its moment is left out."""
 
@@ -212,7 +213,7 @@ class RankOptions(TypedDict, total=False):
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
     (away from the work), in the planar model ahead,0,up."""
 
-    process: str | None
+    process: str | os.PathLike[str] | None
     """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
     across and axial; its moment is left out."""
 
@@ -706,7 +707,7 @@ class MeasureOptions(TypedDict, total=False):
     """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
     leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
-    compare: str | None
+    compare: str | os.PathLike[str] | None
     """A table of postures and loads of your own: what it is worth beside the plan."""
 
 
@@ -878,7 +879,7 @@ class ChatterOptions(TypedDict, total=False):
     """How teeth are counted [default: teeth where each cuts for half of the time or less and passes slowly, else
     mean]."""
 
-    frf: str | None
+    frf: str | os.PathLike[str] | None
     """How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im ..
     gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux,
     uy, uz [default: spindle, holder and cutter are rigid]."""
@@ -923,7 +924,7 @@ class MillOptions(TypedDict, total=False):
     """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
     robot file has it of the drives, else 0.03]."""
 
-    frf: str | None
+    frf: str | os.PathLike[str] | None
     """How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im ..
     gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux,
     uy, uz [default: spindle, holder and cutter are rigid]."""
@@ -940,11 +941,11 @@ class MillOptions(TypedDict, total=False):
     """Mill only what the tool of this number cuts (T, LOAD); each tool of a path has a process and a length of
     its own [default: all of the path, which then has one tool]."""
 
-    process: str | Iterable[str] | None
+    process: str | os.PathLike[str] | Iterable[str] | Mapping[int, str | os.PathLike[str]] | None
     """A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a
     revolution acts. T1=FILE,T2=FILE: one for each tool of a path that changes its tool."""
 
-    tool_lengths_mm: str | Iterable[str] | None
+    tool_lengths_mm: str | Iterable[str] | Mapping[int, float] | None
     """How far the tip of each tool of the path stands out of the spindle [mm], along the tool axis:
     T1=82.5,T2=140; the tool point (tool, tool-mm) is then the spindle's nose, from which tools are measured."""
 
@@ -978,10 +979,10 @@ class MillOptions(TypedDict, total=False):
     """Smallest distance that arm and tool [mm], links as capsules, keep along the path from floor, themselves
     and what is kept free [default: 0; of several robots not looked at]."""
 
-    part: str | None
+    part: str | os.PathLike[str] | None
     """The finished part as STL in the path's frame: arm and spindle keep clear of it, the cutter may touch it."""
 
-    fixture: str | None
+    fixture: str | os.PathLike[str] | None
     """What holds the part as STL in the path's frame: arm, spindle and cutter keep clear of it."""
 
     part_unit: Literal["mm", "inch", "m"]
@@ -1111,7 +1112,7 @@ class SweepOptions(TypedDict, total=False):
     tool_com_mm: npt.ArrayLike | None
     """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
 
-    process: str | None
+    process: str | os.PathLike[str] | None
     """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
     across and axial; its moment is left out."""
 

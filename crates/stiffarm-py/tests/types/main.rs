@@ -1,12 +1,14 @@
 //! `stiffarm/types.py` says what the tables of the library say: which options each verb takes, and which keys its answers have, all of what
-//! type.
+//! type; so do the attributes of the answers.
 //!
 //! `STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types` writes it anew.
+
+mod attributes;
 
 use std::fmt::Write;
 use std::path::Path;
 
-use stiffarm_ask::answer::field::Kind as Holds;
+use stiffarm_ask::answer::field::{Field, Kind as Holds};
 use stiffarm_ask::answer::shape::{self, Shape, Slot};
 use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
@@ -20,6 +22,7 @@ Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, TypedDict
 
@@ -32,11 +35,23 @@ from ._given import RangeLike
 fn the_types_are_those_of_the_tables() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/stiffarm/types.py");
     let expected = written();
-    if std::env::var_os("STIFFARM_WRITE").is_some() {
+    if is_written() {
         std::fs::write(&path, &expected).unwrap();
     }
     let found = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(found == expected, "the tables have changed: STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types");
+    assert!(found == expected, "the tables have changed: {WRITE}");
+}
+
+const WRITE: &str = "STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types";
+
+/// Files are written anew.
+fn is_written() -> bool {
+    std::env::var_os("STIFFARM_WRITE").is_some()
+}
+
+/// What verbs answer, and the check of the paper's numbers.
+fn answers() -> impl Iterator<Item = &'static Shape> {
+    Verb::ALL.into_iter().flat_map(shape::answers).chain([&shape::LEDGER])
 }
 
 fn written() -> String {
@@ -74,7 +89,7 @@ fn written() -> String {
 
 /// A class for every kind of object that an answer has.
 fn write_answers(text: &mut String) {
-    let answers: Vec<&Shape> = Verb::ALL.into_iter().flat_map(shape::answers).chain([&shape::LEDGER]).collect();
+    let answers: Vec<&Shape> = answers().collect();
     text.push_str("\n\n_Pass = TypedDict(\"_Pass\", {\"pass\": \"bool | None\"})\n");
     for shape in shape::all() {
         // A placement stands in other answers, too.
@@ -113,14 +128,19 @@ fn write_class(text: &mut String, shape: &Shape, has_schema: bool) {
 
 fn write_slot(text: &mut String, slot: &Slot) {
     let none = if slot.may_be_null { " | None" } else { "" };
-    writeln!(text, "\n    {}: {}{none}", slot.field.key, held(slot)).unwrap();
-    writeln!(text, "    \"\"\"{}\"\"\"", wrapped(slot.field.about)).unwrap();
+    write_field(text, slot.field, &format!("{}{none}", held(slot, "")));
 }
 
-fn held(slot: &Slot) -> String {
+/// A key, its type, and what it is.
+fn write_field(text: &mut String, field: Field, kind: &str) {
+    writeln!(text, "\n    {}: {kind}\n    \"\"\"{}\"\"\"", field.key, wrapped(field.about)).unwrap();
+}
+
+/// What stands under a key; a class of another module has that module's name before it.
+fn held(slot: &Slot, module: &str) -> String {
     match (slot.field.kind, slot.of) {
-        (Holds::Object, Some(of)) => of.name.into(),
-        (Holds::Objects, Some(of)) => format!("list[{}]", of.name),
+        (Holds::Object, Some(of)) => format!("{module}{}", of.name),
+        (Holds::Objects, Some(of)) => format!("list[{module}{}]", of.name),
         (kind, _) => plain(kind),
     }
 }
@@ -176,10 +196,10 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Posture
             | Kind::Spindle
             | Kind::Mount
-            | Kind::File
             | Kind::Date,
             false,
         ) => "str".into(),
+        (Kind::File, false) => "str | os.PathLike[str]".into(),
         (
             Kind::Text
             | Kind::Robot
@@ -190,11 +210,13 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Marker
             | Kind::Way
             | Kind::Direction
-            | Kind::FileOfTool
-            | Kind::LengthOfTool
             | Kind::Pin,
             true,
         ) => "str | Iterable[str]".into(),
+        (Kind::FileOfTool, true) => {
+            "str | os.PathLike[str] | Iterable[str] | Mapping[int, str | os.PathLike[str]]".into()
+        }
+        (Kind::LengthOfTool, true) => "str | Iterable[str] | Mapping[int, float]".into(),
         (Kind::Heading, _) => "str | Iterable[str] | Mapping[str, str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block { .. }, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),

@@ -7,25 +7,10 @@ from typing import Any, Literal
 
 import numpy as np
 
+from .. import types
 from .._asked import Question, text
 from .._given import Array
 from .._stiffarm import StiffarmError
-from ..types import (
-    FedBackDict,
-    ForceDict,
-    LedgerDict,
-    MilledDict,
-    PathChatter,
-    PathContact,
-    PathLength,
-    PathRankingDict,
-    PathRankingRow,
-    PlaceSearch,
-    PublishedNumber,
-    RollChoice,
-    Schema,
-    ToolpathDict,
-)
 from .base import Table
 
 
@@ -33,140 +18,366 @@ from .base import Table
 _REWRITTEN = (".nc", ".gcode", ".ngc", ".tap", ".apt", ".cls")
 
 
-class Force(Table[ForceDict]):
+class Force(Table[types.ForceDict]):
     """The force of a process on its tool: along the feed, across (left of the feed), axial (away from the work)."""
 
     _arrays = ("mean_n", "max_n", "min_n")
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     process: str
-    #: Where the force comes from.
+    """The process file."""
+
     law: str
+    """Where the force comes from."""
+
     material: str | None
-    #: How well its numbers are known: ``"published"`` or ``"unverified"``.
+    """The material whose numbers come with the program; null where they are given."""
+
     material_status: str | None
+    """How well its numbers are known: published or unverified."""
+
     material_source: str | None
-    #: (3,) over a revolution; None where the force may point anywhere.
+    """Who says so."""
+
     mean_n: Array | None
+    """Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the
+    work); null where it may point anywhere."""
+
     max_n: Array | None
+    """The largest of each over a revolution."""
+
     min_n: Array | None
-    #: The largest size of the force over a revolution.
+    """The smallest of each over a revolution."""
+
     largest_n: float
+    """The largest size of the force over a revolution."""
+
     moment_nm: float
+    """Mean moment on the tool about its axis, positive about the axis away from the work."""
+
     power_w: float | None
+    """Mean power of the spindle; null where its speed or the moment is not known."""
+
     spindle_rpm: float | None
+    """Speed of the spindle."""
+
     entry_deg: float | None
+    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+
     exit_deg: float | None
+    """Where a tooth leaves."""
+
     assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+    # End of the keys.
 
     def _words(self) -> str:
         mean = "in any direction" if self.mean_n is None else f"mean {np.round(self.mean_n, 2).tolist()} N"
         return f"{self.process}: {mean}, at most {self.largest_n:.2f} N"
 
 
-class Toolpath(Table[ToolpathDict]):
+class Toolpath(Table[types.ToolpathDict]):
     """What is understood of a toolpath."""
 
     _arrays = ("box_m",)
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     path: str
-    #: ``"gcode"``, ``"apt"``, ``"csv"`` or ``"built-in"``.
+    """The toolpath as it was asked for."""
+
     format: str
+    """How it is written: gcode, apt, csv or built-in."""
+
     lines: int | None
+    """Lines that were read."""
+
     feed_length_m: float
+    """Length of all moves at a feed rate."""
+
     rapid_length_m: float
+    """Length of all rapid moves whose beginning is known."""
+
     feed_moves: int
+    """Moves at a feed rate."""
+
     rapid_moves: int
-    #: Moves that are no part of the path.
+    """Rapid moves whose beginning is known."""
+
+    tools: list[int | None]
+    """Numbers of the tools that feed, in the order in which they come; null where none is named."""
+
     machine_moves: int
+    """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
+
     arcs: int
+    """Feed moves that are arcs or helices."""
+
     full_circles: int
+    """Of these, those of a whole turn or more."""
+
     arc_length_m: float
-    #: (2, 3) two corners of the box about all feed moves.
+    """Length of the arcs."""
+
     box_m: Array | None
+    """Two corners of the box about all feed moves, in the axes of the path."""
+
+    rapid_box_m: list[list[float]] | None
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
+    path; null where there is none."""
+
     feed_mm_per_min: list[float] | None
+    """The smallest and the largest feed rate; null where none is said."""
+
     time_s: float | None
+    """Time of all feed moves; null where a feed rate is missing."""
+
     tilt_deg: float
+    """The largest angle between tool axis and z while it feeds."""
+
     turn_deg: float
+    """The largest angle of the tool axis to where it first feeds."""
+
     samples: int
+    """Samples along the path."""
+
     chord_error_mm: float
+    """By how much chords between samples are off the arcs at most."""
+
     arc_miss_mm: float
-    #: What the file leaves open and how it was taken.
+    """By how much the ends of an arc miss one radius at most."""
+
     assumed: list[str]
-    #: Words that move nothing.
+    """What the file leaves open and how it was taken, with the line that came first."""
+
     ignored: list[str]
+    """Words of the file that move nothing, each kind once."""
+    # End of the keys.
 
     def _words(self) -> str:
         return f"{self.path}: {self.feed_moves} feed moves, {self.feed_length_m * 1e3:.3f} mm, {self.arcs} arcs"
 
 
-class Milled(Table[MilledDict]):
+class Milled(Table[types.MilledDict]):
     """The error along a toolpath; its data frame has a row for every sample."""
 
     _arrays = ("at_m", "worst_joints_deg", "worst_shares")
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     robot: str
+    """The maker's name for the robot."""
+
     stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     path: str
-    #: Where the force on the tool comes from.
+    """The toolpath as it was asked for."""
+
     force: str
-    part: PathLength
-    roll: RollChoice
-    #: What of the displacement counts: ``"total"``, ``"across"``, ``"axial"`` or ``"normal"``.
+    """Where the force on the tool comes from."""
+
+    payload_kg: float | None
+    """Nominal payload."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
+    overloaded: bool | None
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
+
+    wrist_moment_nm: list[float] | None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
+
+    wrist_limit_nm: list[float] | None
+    """The largest that are allowed; null where the robot file has none."""
+
+    wrist_limit_by: str | None
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
+
+    wrist_exceeded: bool | None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
+
+    part: types.PathLength
+    """The path as it was cut: samples, lengths and time."""
+
+    roll: types.RollChoice
+    """How the tool is turned about its axis."""
+
     error: str
+    """What of the displacement counts: total, across or axial."""
+
     asked_limit_margin_deg: float
+    """What every joint was to keep from its limits."""
+
     asked_singular_margin_deg: float
+    """What wrist and arm were to keep from straight."""
+
     speed_share: float | None
-    #: (3,) where the path's origin stands; None where no place was found.
+    """Of the joints' speeds what is used at most; null where the robot file tells none."""
+
+    clear_of_base_m: float | None
+    """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
+
+    cell: types.CellDict | None
+    """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
+    stands in or on, so that it is taken as what carries it; null where there is none."""
+
     at_m: Array | None
+    """Where the path's origin stands, from the robot's base."""
+
     at_yaw_deg: float | None
+    """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
+    leans."""
+
+    cell_m: list[float] | None
+    """Where the path's origin stands in the axes of the cell, its floor at 0; null without a cell."""
+
+    cell_yaw_deg: float | None
+    """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
+
     feasible: bool
+    """There is a place; null where it is not known."""
+
     reason: str | None
+    """Why there is no place, or it is not known."""
+
     worst_mm: float | None
-    #: Where it lies with 90 %, over draws of the drive stiffness.
+    """The largest error along the path."""
+
     worst_mm_p05: float | None
+    """5th percentile over draws of the drive stiffness, in the postures of the answer; null where the
+    uncertainty of the drives is not known."""
+
     worst_mm_p50: float | None
+    """Median."""
+
     worst_mm_p95: float | None
-    #: No rolls, and where the place was sought no place, have less.
+    """95th percentile."""
+
     lower_bound_mm: float | None
+    """No rolls of the mode that was asked for, through the pins where there are some, and where the best place
+    was asked for no place, have less."""
+
     roll_lower_bound_mm: float | None
+    """No rolls of that mode have less at this place."""
+
     rms_mm: float | None
-    #: The sample with the largest error, from 0, and its line in the file.
+    """The root mean square of the error over what feeds."""
+
     worst_sample: int | None
+    """The sample with the largest error, from 0."""
+
     worst_line: int | None
+    """Its line in the file; 0 of a path built in."""
+
     worst_joints_deg: Array | None
+    """Joint angles at the worst point as the robot reports them."""
+
     worst_shares: Array | None
+    """What each drive gives of the worst deflection; adds up to 1."""
+
     limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
     singular_margin_deg: float | None
-    #: The nearest that the arm comes to anything along the path, and which link to what.
+    """The smallest angle to a singular posture in the zone."""
+
     clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
     clearance_of: str | None
-    #: By which bodies: ``"enclosing"``, ``"estimated"`` or ``"stated"`` of the arm, and what it comes near to where that is a ``"keep-out"``, the
-    #: ``"mesh"`` of a part or fixture, or what is left of the ``"stock"``.
+    """Which link to what."""
+
     clearance_by: list[str] | None
-    #: By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most, mm; 0 where none is estimated.
+    """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
+    file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and
+    what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the
+    `stock`."""
+
     clearance_outside_mm: float | None
-    #: The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, mm; negative where they overlap, so that the
-    #: arm may touch; None where its bodies are known.
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
     clearance_wide_mm: float | None
-    #: Which of those to what.
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
+
     clearance_wide_of: str | None
-    asked_clearance_mm: float
-    #: Where it is nearer than it was to keep; None where nobody looked.
-    contacts: list[PathContact] | None
-    #: Of a path that is not clear: what is nearer than was asked at some place at every roll; ``None`` where nothing of that kind is known.
-    unavoidable: PathContact | None
+    """Which of those to what."""
+
+    asked_clearance_mm: float | None
+    """What the arm was to keep from everything; null where nobody looked."""
+
+    contacts: list[types.PathContact] | None
+    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
+    looked."""
+
+    unavoidable: types.PathContact | None
+    """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
+    configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
+
     tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
     margin_mm: float | None
-    search: PlaceSearch | None
-    #: What becomes of the largest error as width and depth of the cut change by it; None where no cut is known.
-    fed_back: FedBackDict | None
-    #: Whether the cuts swing with the arm (``chatter=True``): critical depth at the worst sample, its interval, what is not covered. In the
-    #: data frame ``critical_depth_mm``, ``chatter_hz`` and ``chatter_covered`` of every sample.
-    chatter: PathChatter | None
+    """What is left of the tolerance."""
+
+    fed_back: types.FedBackDict | None
+    """What becomes of the largest error as width and depth of the cut change with the displacement; null where
+    no cut is known."""
+
+    chatter: types.PathChatter | None
+    """Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to
+    the cut; null where that was not asked, or the path is not followed."""
+
+    compensation: types.CompensatedPath | None
+    """What compensation makes of the path; null where it was not asked for."""
+
+    search: types.PlaceSearch | None
+    """How finely a place was looked for; null where it was given."""
+
+    work_frame: str | None
+    """How the place of the work was found: measured or touched; null where nothing is followed."""
+
+    true_arm: types.TrueArm | None
+    """The largest error of the calibrated arm, geometry and load together; null of an arm that was not
+    calibrated."""
+
+    arm_error: types.ArmError | None
+    """The largest geometric error along the path of arms that nobody has calibrated: median and 95th percentile;
+    null of one that was calibrated."""
+
     remarks: list[str]
+    """What is odd."""
+
+    worst_tool: int | None
+    """The tool with the largest error, of a path that is milled with several."""
+
+    by_tool: list[types.MilledWithTool] | None
+    """What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its
+    number and its tip."""
+    # End of the keys.
 
     #: The question, from which programs are written.
     _asked: Question | None
@@ -219,21 +430,33 @@ class Milled(Table[MilledDict]):
         return f"{self.robot} along {self.path}: at most {self.worst_mm:.4f} mm, no less than {self.lower_bound_mm:.4f} mm"
 
 
-class PathRanking(Table[PathRankingDict]):
+class PathRanking(Table[types.PathRankingDict]):
     """Robots in order on a toolpath, the best first, each at its own best place and rolls."""
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     path: str
-    #: Where the force on the tool comes from; None where no robot has six joints.
+    """The toolpath as it was asked for."""
+
     force: str | None
-    part: PathLength | None
-    #: What of the displacement counts: ``"total"``, ``"across"`` or ``"axial"``.
+    """Where the force on the tool comes from."""
+
+    part: types.PathLength | None
+    """The path as it was cut: samples, lengths and time."""
+
     error: str | None
-    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be distinguished share one), and as `Milled` tells it.
-    rows: list[PathRankingRow]
-    #: What a manager would read.
+    """What of the displacement counts: total, across or axial."""
+
+    rows: list[types.PathRankingRow]
+    """One entry per row."""
+
     summary: list[str]
+    """What a manager would read."""
+
     remarks: list[str]
+    """What is odd."""
+    # End of the keys.
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -243,12 +466,15 @@ class PathRanking(Table[PathRankingDict]):
         return f"{len(self)} robots along {self.path}{best}"
 
 
-class Ledger(Table[LedgerDict]):
+class Ledger(Table[types.LedgerDict]):
     """Published numbers beside the computed ones; its data frame has a row for each."""
 
-    schema: Schema
-    #: One per number: where it is printed, as it is printed, as it is computed, whether both agree, and where not, why.
-    rows: list[PublishedNumber]
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
+    rows: list[types.PublishedNumber]
+    """One entry per row."""
+    # End of the keys.
 
     def __len__(self) -> int:
         return len(self.rows)

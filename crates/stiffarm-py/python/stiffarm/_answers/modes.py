@@ -2,40 +2,68 @@
 
 from __future__ import annotations
 
-from ..types import ModeOverZone, ModesDict, ModesOverZoneDict, Schema, SwingMode
+from .. import types
 from .base import Table
 
 
-class Modes(Table[ModesDict]):
+class Modes(Table[types.ModesDict]):
     """Frequencies and shapes in which an arm swings at one posture."""
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     robot: str
+    """The maker's name for the robot."""
+
     vendor: str
+    """The maker."""
+
     architecture: str
+    """serial or quasi-serial."""
+
     architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
     status: str
-    #: Who says how stiff the drives are taken to be.
+    """How well the robot's numbers are known."""
+
     stiffness_source: str
-    drive_urad_per_nm: list[float]
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
     model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
     joints_deg: list[float]
-    #: Whether the pendant shows the joints as the robot file counts them: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``.
-    pendant: str | None
-    #: Tool point from the base, m.
+    """Joint angles as the robot reports them, deg."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     tcp_m: list[float]
-    #: None where the tool weighs nothing.
+    """The tool point."""
+
     tool_mass_kg: float | None
-    #: Its mass centre in the flange frame.
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
     tool_com_mm: list[float] | None
-    #: ixx, ixy, ixz, iyy, iyz, izz about its own centre, flange axes.
+    """Mass centre of the tool in the flange frame."""
+
     tool_inertia_kg_m2: list[float] | None
-    #: ``"given"``, ``"robot file"`` or ``"assumed"``.
+    """Inertia of the tool about its mass centre, along flange axes."""
+
     damping_source: str
-    #: Bodies of which the robot file has no mass.
+    """Where the damping is from: assumed, given or robot file."""
+
     masses_left_out: list[str]
-    #: The lowest first: ``frequency_hz``, its 90 % interval, ``frequency_motors_free_hz``, ``damping_ratio``, ``tip_shape``, ``drive_shares``.
-    modes: list[SwingMode]
+    """Moving parts whose masses the robot file does not have."""
+
+    modes: list[types.SwingMode]
+    """How the arm swings, the lowest frequency first."""
+    # End of the keys.
 
     def __len__(self) -> int:
         return len(self.modes)
@@ -45,54 +73,108 @@ class Modes(Table[ModesDict]):
         return f"{self.robot}: {first} Hz"
 
 
-class ModesOverZone(Table[ModesOverZoneDict]):
+class ModesOverZone(Table[types.ModesOverZoneDict]):
     """Least and largest frequencies of an arm over a zone at one place."""
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     robot: str
+    """The maker's name for the robot."""
+
     vendor: str
+    """The maker."""
+
     architecture: str
+    """serial or quasi-serial."""
+
     architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
     status: str
-    #: Who says how stiff the drives are taken to be.
+    """How well the robot's numbers are known."""
+
     stiffness_source: str
-    drive_urad_per_nm: list[float]
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
     model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
     task: str
+    """The zone as it was asked for."""
+
     tool_mm: list[float]
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
     tool_direction_deg: float
-    #: Middle of the zone from the base, m: ahead and up.
+    """The tool axis above the horizontal."""
+
     x_m: float
+    """Ahead, from the base."""
+
     z_m: float
-    #: How the zone stands and is held, as in `Placement`.
-    bearing_deg: float
-    yaw_deg: float
+    """Up, from the base."""
+
+    bearing_deg: float | None
+    """Where about the joint-1 axis the zone stands."""
+
+    yaw_deg: float | None
+    """Of the zone's plane about the vertical."""
+
     angle_deg: float
-    roll_deg: float
-    shoulder: str
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+
+    roll_deg: float | None
+    """About the tool axis."""
+
+    shoulder: str | None
+    """front or back."""
+
     elbow: str
-    wrist: str
-    #: Whether the pendant shows the joints as the robot file counts them: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``.
-    pendant: str | None
-    #: None where the tool weighs nothing.
+    """up or down."""
+
+    wrist: str | None
+    """no flip or flip."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     tool_mass_kg: float | None
-    #: Its mass centre in the flange frame.
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
     tool_com_mm: list[float] | None
-    #: ixx, ixy, ixz, iyy, iyz, izz about its own centre, flange axes.
+    """Mass centre of the tool in the flange frame."""
+
     tool_inertia_kg_m2: list[float] | None
-    #: Bodies of which the robot file has no mass.
+    """Inertia of the tool about its mass centre, along flange axes."""
+
     masses_left_out: list[str]
-    #: Nowhere in the zone the first frequency is lower: proved for the stiffness that is stated; None where the proof did not end.
+    """Moving parts whose masses the robot file does not have."""
+
     first_at_least_hz: float | None
-    #: 5th percentile over draws of the drive stiffness: drawn, not proved.
+    """Nowhere in the zone the first frequency is lower, motors held still: proved at the nominal stiffness, and
+    no promise where that is not measured; null where the proof did not end."""
+
     first_at_least_hz_p05: float | None
-    #: Into how many parts the zone was cut for the proof.
+    """5th percentile of the least first frequency over draws of the drive stiffness: drawn, not proved; null
+    where its uncertainty is not known."""
+
     zone_parts: int
-    #: How many points were looked at for least and largest, and how far they lie apart, m.
+    """Into how many parts the zone was cut for the proof."""
+
     samples: int
+    """How many they are."""
+
     sample_step_m: float
-    #: The lowest first: ``least_frequency_hz`` with its 90 % interval and place, ``largest_frequency_hz`` with its place.
-    modes: list[ModeOverZone]
+    """Distance between the poses in the zone."""
+
+    modes: list[types.ModeOverZone]
+    """How the arm swings, the lowest frequency first."""
+    # End of the keys.
 
     def __len__(self) -> int:
         return len(self.modes)

@@ -5,144 +5,261 @@ from __future__ import annotations
 import copy
 from typing import Any
 
+from .. import types
 from .._asked import Question
 from .._stiffarm import Robot, StiffarmError
-from ..types import (
-    AdviceDict,
-    Boundary,
-    CellDict,
-    ComparisonDict,
-    FaceDict,
-    Placed,
-    PlacementDict,
-    RankingDict,
-    RankingRow,
-    Resolution,
-    Schema,
-    StudyDict,
-    StudyMark,
-    StudyRow,
-    Winner,
-)
 from .base import Table
 
 
-class Placement(Table[PlacementDict]):
+class Placement(Table[types.PlacementDict]):
     """The best place of one zone; what only one model knows is None in the other. Positions count from the robot's base."""
 
     #: Version of the keys, and what positions count from.
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     robot: str
+    """The maker's name for the robot."""
+
     vendor: str
+    """The maker."""
+
     architecture: str
-    #: Nothing says that it is of this architecture.
+    """serial or quasi-serial."""
+
     architecture_assumed: bool
-    #: How well the robot's numbers are known.
+    """Nothing says that it is of this architecture."""
+
     status: str
-    #: Who says how stiff the drives are: ``"assumed"``, ``"robot file"`` or ``"given"``.
+    """How well the robot's numbers are known."""
+
     stiffness_source: str
-    #: The compliance of each drive; None where a robot of two links has none.
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
     drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
     task: str
+    """The zone as it was asked for."""
+
     model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
     force_n: float
-    #: ``"base"`` (ahead, left, up) or ``"tool"`` (feed, across, axial); None for the worst direction of the force.
+    """The cutting force."""
+
     force_axes: str | None
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
+
     force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
     force_cone_deg: float | None
-    #: None where the feed may go any way.
+    """By how much it may point aside."""
+
     feed_deg: float | None
-    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
     component: str
-    #: What the maker sells the robot for; None where it is not known.
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
     payload_kg: float | None
-    #: None where it was not given.
+    """Nominal payload."""
+
     tool_mass_kg: float | None
-    #: Tool and force weigh more than the payload; None where one of them is not known.
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
     overloaded: bool | None
-    #: About axes 4, 5 and 6 at worst, N m; None where there is nothing to report of it.
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
+
     wrist_moment_nm: list[float] | None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
+
     wrist_limit_nm: list[float] | None
-    #: ``"allowed by the maker"`` or ``"torque limits of the drives"``.
+    """The largest that are allowed; null where the robot file has none."""
+
     wrist_limit_by: str | None
-    #: None where no limit is known.
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
+
     wrist_exceeded: bool | None
-    #: None where it is not known: the search did not end, or the planar model does not hold.
-    feasible: bool | None
-    #: Why there is no place.
-    reason: str | None
-    #: That there is no place is proved.
-    proved: bool | None
-    deflection_mm: float | None
-    #: 90 % interval and median, over draws of the drive stiffness (and of the residual of an identified model); None where nothing says how far.
-    deflection_mm_p05: float | None
-    deflection_mm_p50: float | None
-    deflection_mm_p95: float | None
-    #: No allowed place has less.
-    lower_bound_mm: float | None
-    #: ``"pass"`` (kept, with a probability of 0.95 or more), ``"pass, not sure"`` or ``"fail"``; None where no tolerance was given.
-    verdict: str | None
-    #: How likely the tolerance is kept; None where nothing is known of the drives.
-    probability: float | None
-    x_m: float | None
-    z_m: float | None
-    angle_deg: float | None
-    elbow: str | None
-    worst_point_m: list[float] | None
-    largest_feasible_scale: float | None
-    below_base: bool | None
-    behind_axis_1: bool | None
-    bearing_deg: float | None
-    yaw_deg: float | None
-    roll_deg: float | None
-    shoulder: str | None
-    wrist: str | None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
+
     tool_mm: list[float] | None
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
     tool_direction_deg: float | None
+    """The tool axis above the horizontal."""
+
     within_m: list[list[float | None]] | None
+    """Where the zone may stand; null where it is open."""
+
+    cell: types.CellDict | None
+    """The cell as it was asked for: mount, windows, what is kept free, and which of that (from 1) the base
+    stands in or on, so that it is taken as what carries it; null where there is none."""
+
     asked_limit_margin_deg: float
+    """What every joint was to keep from its limits."""
+
     asked_singular_margin_deg: float
+    """What wrist and arm were to keep from straight."""
+
     clear_of_base_m: float | None
+    """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
+
     floor_m: float | None
+    """Height of the floor above which the zone was to stand, from the base; null where there is none."""
+
+    feasible: bool | None
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    proved: bool | None
+    """That there is no place is proved."""
+
+    largest_feasible_scale: float | None
+    """The largest scale at which a zone of this shape has a place."""
+
+    deflection_mm: float | None
+    """The worst deflection in the zone at its best place."""
+
+    lower_bound_mm: float | None
+    """No allowed place has less."""
+
+    x_m: float | None
+    """Ahead, from the base."""
+
+    z_m: float | None
+    """Up, from the base."""
+
+    bearing_deg: float | None
+    """Where about the joint-1 axis the zone stands."""
+
+    yaw_deg: float | None
+    """Of the zone's plane about the vertical."""
+
+    angle_deg: float | None
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+
+    roll_deg: float | None
+    """About the tool axis."""
+
+    shoulder: str | None
+    """front or back."""
+
+    elbow: str | None
+    """up or down."""
+
+    wrist: str | None
+    """no flip or flip."""
+
+    worst_point_m: list[float] | None
+    """Where in the zone the deflection is largest."""
+
     from_axis_1_m: float | None
+    """Distance of the zone's nearest point from the joint-1 axis."""
+
+    below_base: bool | None
+    """Part of the zone lies below the base."""
+
+    behind_axis_1: bool | None
+    """Part of the zone lies behind the joint-1 axis."""
+
     worst_joints_deg: list[float] | None
-    #: Whether the pendant shows these joints so: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``; None in the plane and of two links.
+    """Joint angles at the worst point as the robot reports them."""
+
     pendant: str | None
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     worst_shares: list[float] | None
+    """What each drive gives of the worst deflection; adds up to 1."""
+
     limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
     limit_margin_joint: int | None
+    """That joint; 0 is the angle between the links."""
+
     singular_margin_deg: float | None
-    #: The smaller of both, and what it is of.
+    """The smallest angle to a singular posture in the zone."""
+
     smallest_margin_deg: float | None
+    """The least that is kept from a joint limit or a straight posture anywhere in the zone."""
+
     smallest_margin_of: str | None
-    #: The cell as it was asked for: mount, windows, what is kept free.
-    cell: CellDict | None
-    #: The centre of the zone in the axes of the cell.
-    cell_m: list[float] | None
-    #: The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.
+    """What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture."""
+
     clearance_mm: float | None
-    #: Which link to what.
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
     clearance_of: str | None
-    #: A radius in it is estimated.
+    """Which link to what."""
+
     clearance_estimated: bool | None
-    #: By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most, mm; 0 where none is estimated.
+    """A radius in it is estimated."""
+
     clearance_outside_mm: float | None
-    #: The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, mm; negative where they overlap, so that the
-    #: arm may touch; None where its bodies are known.
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
     clearance_wide_mm: float | None
-    #: Which of those to what.
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
+
     clearance_wide_of: str | None
-    resolution: Resolution | None
-    #: Every face of a part; None of one flat zone.
-    faces: list[FaceDict] | None
+    """Which of those to what."""
+
+    cell_m: list[float] | None
+    """The centre of the zone in the axes of the cell, its floor at 0."""
+
+    resolution: types.Resolution | None
+    """How finely a place was looked for."""
+
+    faces: list[types.FaceDict] | None
+    """Every face of a part; null of one flat zone."""
+
+    deflection_mm_p05: float | None
+    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
+    not known."""
+
+    deflection_mm_p50: float | None
+    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
+    away."""
+
+    deflection_mm_p95: float | None
+    """Their 95th percentile."""
+
     tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
+    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
+    identified model; null where neither uncertainty is known."""
+
     margin_mm: float | None
-    #: What the tolerance says of force, stiffness and size: ``force_factor``, ``largest_force_n``, ``stiffness_factor``, ``softest_drive``,
-    #: ``largest_zone`` and more; None where no tolerance was given, and in a ranking of all but the best robots.
-    advice: AdviceDict | None
-    #: In a ranking: its rank in this task alone, and whether another cannot be distinguished from it by the proof.
+    """What is left of the tolerance."""
+
+    advice: types.AdviceDict | None
+    """What is missing where the tolerance is not kept, and what is left where it is; null where none was given,
+    and in a ranking of all but the best robots."""
+
     task_rank: int | None
+    """The same for this task alone."""
+
     task_rank_tied: bool | None
+    """Some other robot cannot be distinguished from it by the proof in this task."""
+    # End of the keys.
 
     #: The question, from which a figure is drawn; of a ranking None.
     _asked: Question | None
@@ -170,27 +287,46 @@ class Placement(Table[PlacementDict]):
         return f"{self.robot}, {self.task}: {place}, {self.force_n:g} N, {self.model} model"
 
 
-class Ranking(Table[RankingDict]):
+class Ranking(Table[types.RankingDict]):
     """Robots in order, the best first."""
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     tasks: list[str]
-    model: str
+    """The tasks as they were asked for."""
+
     force_n: float
-    #: ``"base"`` (ahead, left, up) or ``"tool"`` (feed, across, axial); None for the worst direction of the force.
+    """The cutting force."""
+
     force_axes: str | None
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
+
     force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
     force_cone_deg: float | None
-    #: None where the feed may go any way.
+    """By how much it may point aside."""
+
     feed_deg: float | None
-    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
     component: str
-    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be distinguished share one), ``rank_tied``, ``mean_ratio``, and ``cells`` with one placement per task.
-    rows: list[RankingRow]
-    #: Who is best at each task.
-    winners: list[Winner]
-    #: What a manager would read.
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    rows: list[types.RankingRow]
+    """One entry per row."""
+
+    winners: list[types.Winner]
+    """Who is best at each task."""
+
     summary: list[str]
+    """What a manager would read."""
+    # End of the keys.
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -213,40 +349,59 @@ class Ranking(Table[RankingDict]):
         return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
 
 
-class Comparison(Table[ComparisonDict]):
+class Comparison(Table[types.ComparisonDict]):
     """Two setups side by side; its columns have a row for each."""
 
-    schema: Schema
-    #: What `stiffarm.place` tells of each.
-    a: Placed
-    b: Placed
-    #: The deflection of the second over that of the first; None where one has no place.
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
+    a: types.Placed
+    """The first setup, as place tells it."""
+
+    b: types.Placed
+    """The second setup."""
+
     ratio: float | None
-    #: It is proved which is better: its value lies below the other's bound.
+    """The deflection of the second over that of the first; null where one has no place."""
+
     told_apart: bool
-    #: ``"a"`` or ``"b"``; None where they cannot be distinguished.
+    """It is proved that no other is as good, at the nominal stiffness."""
+
     better: str | None
-    #: In which share of the draws of the drives each gives way least; None where the uncertainty of the drives is not known.
-    win_probability: list[float] | None
-    #: What is not the same of both besides the answer.
+    """Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be
+    distinguished."""
+
+    win_probability: list[float | None] | None
+    """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
+    it has no place, is estimated, or the uncertainty of its drives is not known."""
+
     differ_in: list[str]
-    #: What a manager would read.
+    """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
+    place."""
+
     summary: list[str]
+    """What a manager would read."""
+    # End of the keys.
 
     def _words(self) -> str:
         return self.summary[0]
 
 
-class Study(Table[StudyDict]):
+class Study(Table[types.StudyDict]):
     """Accuracies over link ratio and size, normalised as Table I of the paper."""
 
-    schema: Schema
-    #: ``task, d, mu_l3_over_l2, best, architecture, k2, k3, accuracy``.
-    rows: list[StudyRow]
-    #: Sizes at which the better architecture changes.
-    boundaries: list[Boundary]
-    #: Where the robot with its task stands among all this, if one was named.
-    mark: StudyMark | None
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
+    rows: list[types.StudyRow]
+    """One entry per row."""
+
+    boundaries: list[types.Boundary]
+    """Sizes at which the better architecture changes."""
+
+    mark: types.StudyMark | None
+    """Where the robot with its task stands among what was studied."""
+    # End of the keys.
 
     def __len__(self) -> int:
         return len(self.rows)

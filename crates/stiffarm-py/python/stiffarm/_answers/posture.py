@@ -6,12 +6,12 @@ from typing import Any, TypedDict
 
 import numpy as np
 
+from .. import types
 from .._given import Array
-from ..types import ComplianceDict, Schema
 from .base import Answer, Table
 
 
-class Compliance(Answer[ComplianceDict]):
+class Compliance(Answer[types.ComplianceDict]):
     """One posture. Base axes: x forward, y left, z up."""
 
     _arrays = (
@@ -27,55 +27,97 @@ class Compliance(Answer[ComplianceDict]):
         "rotation_mrad",
     )
 
-    schema: Schema
+    # Keys, written from the tables of the library.
+    schema: types.Schema
+
     robot: str
+    """The maker's name for the robot."""
+
     vendor: str
+    """The maker."""
+
     architecture: str
-    #: Nothing says that it is of this architecture.
+    """serial or quasi-serial."""
+
     architecture_assumed: bool
-    #: How well the robot's numbers are known.
+    """Nothing says that it is of this architecture."""
+
     status: str
-    #: Who says how stiff the drives are: ``"assumed"``, ``"robot file"`` or ``"given"``.
+    """How well the robot's numbers are known."""
+
     stiffness_source: str
-    #: The compliance of each drive.
-    drive_urad_per_nm: list[float]
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
     model: str
-    #: Whether the pendant shows the joints as the robot file counts them: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``; None of two links.
-    pendant: str | None
-    #: (6,) as the robot reports them.
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
     joints_deg: Array
-    #: (3,) the tool point from the base.
+    """Joint angles as the robot reports them, deg."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     tcp_m: Array
-    #: (3, 3) from force to translation.
+    """The tool point."""
+
     compliance_um_per_n: Array
-    #: (6, 6) translation first, m and rad per N and N m.
+    """From force to translation, base axes."""
+
     compliance_6x6_si: Array
-    #: (3,) ascending.
+    """From wrench to translation and rotation, base axes, SI."""
+
     principal_um_per_n: Array
-    #: (3,) the unit direction of the last of them.
+    """Principal compliances, ascending."""
+
     worst_direction: Array
-    #: (6,) what each drive gives of it; adds up to 1.
+    """The unit direction of the last of them."""
+
     worst_shares: Array
-    #: (3,) the force along base axes, where one was given; of those that it may be the one that does most.
+    """What each drive gives of the worst deflection; adds up to 1."""
+
     force_n: Array | None
-    #: Along which axes it was given: ``"base"`` or ``"tool"`` (feed, across, axial); None for its worst direction.
-    force_axes: str | None
-    #: Its unit direction along these.
-    force_direction: list[float] | None
-    force_cone_deg: float | None
-    feed_deg: float | None
-    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
-    component: str | None
-    #: What counts of the translation, the largest that the force may cause.
-    largest_mm: float | None
-    #: (3,) the translation under it.
+    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+
     deflection_mm: Array | None
-    #: 90 % interval and median of its length, over draws of the drive stiffness; None where its uncertainty is not known.
-    deflection_mm_p05: float | None
-    deflection_mm_p50: float | None
-    deflection_mm_p95: float | None
-    #: (3,) the rotation under it.
+    """The translation under it."""
+
     rotation_mrad: Array | None
+    """The rotation under it."""
+
+    largest_mm: float | None
+    """What counts of the translation, the largest that the force may cause."""
+
+    deflection_mm_p05: float | None
+    """5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is
+    not known."""
+
+    deflection_mm_p50: float | None
+    """Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes
+    away."""
+
+    deflection_mm_p95: float | None
+    """Their 95th percentile."""
+
+    force_axes: str | None
+    """Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for
+    the worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str | None
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+    # End of the keys.
 
     def _words(self) -> str:
         worst = float(self.principal_um_per_n[2])
