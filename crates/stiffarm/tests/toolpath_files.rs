@@ -470,6 +470,36 @@ fn tables_that_make_no_sense_are_refused_by_line_and_name() {
     assert_eq!(parse("x,y,z\n0,0,0\n1,0,0\n", Format::Csv, &unit).unwrap().moves[0].to.tip.x, 25.4e-3);
 }
 
+/// What a file says of its unit holds, and whoever said another one hears of it.
+#[test]
+fn a_unit_that_the_file_overrules_is_remarked_on() {
+    let said = ReadOptions { unit: Some(LengthUnit::Inch), ..asked() };
+    for (format, text, remark) in [
+        (
+            Format::GCode,
+            "G21 G90 F100\nG0 X0 Y0 Z0\nG1 X1\nM30\n",
+            "lengths in mm, as the file says, not in inch as was said (line 1)",
+        ),
+        (
+            Format::Apt,
+            "UNITS/MM\nFROM/0,0,0\nGOTO/1,0,0\n",
+            "lengths in mm, as the file says, not in inch as was said (line 1)",
+        ),
+        (
+            Format::Csv,
+            "x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n",
+            "lengths in the unit of the headings, not in inch as was said (line 1)",
+        ),
+    ] {
+        let parsed = parse(text, format, &said).unwrap();
+        assert_eq!(parsed.moves.last().unwrap().to.tip.x, 1e-3, "{format:?}");
+        assert!(parsed.understood.assumed.iter().any(|line| line == remark), "{:?}", parsed.understood.assumed);
+        let alike = ReadOptions { unit: Some(LengthUnit::Millimetre), ..asked() };
+        let assumed = parse(text, format, &alike).unwrap().understood.assumed;
+        assert!(!assumed.iter().any(|line| line.contains("as was said")), "{assumed:?}");
+    }
+}
+
 /// No file, cut off anywhere, may end in anything but a path or a refusal with a line of it.
 #[test]
 fn files_cut_off_anywhere_are_read_or_refused() {

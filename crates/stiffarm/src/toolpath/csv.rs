@@ -126,6 +126,10 @@ impl<'a> Reader<'a> {
             let why = format!("it does not name x, y and z once each, in one unit; expected {EXPECTED}");
             return Err(Wrong::new("the header", why));
         }
+        if let Some(said) = self.options.unit.filter(|said| said.metres() != units[0]) {
+            let why = format!("lengths in the unit of the headings, not in {} as was said", said.name());
+            self.notes.assume(line, &why);
+        }
         for (what, kind) in [
             ("i,j,k", Column::Axis as fn(usize) -> Column),
             ("nx,ny,nz", Column::Normal),

@@ -25,6 +25,12 @@ impl LengthUnit {
             Self::Inch => "inch",
         }
     }
+
+    /// What is to be said where a file names its unit although another one was said, in case it named none.
+    pub(super) fn instead_of(self, said: Option<Self>) -> Option<String> {
+        let said = said.filter(|said| *said != self)?;
+        Some(format!("lengths in {}, as the file says, not in {} as was said", self.name(), said.name()))
+    }
 }
 
 /// From where I, J and K of an arc count.

@@ -207,7 +207,7 @@ impl<'a> Reader<'a> {
             "FEDRAT" => self.take_feed(statement),
             "CIRCLE" | "MOVARC" => self.take_circle(statement, line),
             "CYCLE" => self.take_cycle(statement, line),
-            "UNIT" | "UNITS" => self.take_unit(statement),
+            "UNIT" | "UNITS" => self.take_unit(statement, line),
             "SPINDL" => {
                 self.take_spindle(statement);
                 self.notes.ignore(line, name);
@@ -380,7 +380,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn take_unit(&mut self, statement: &Statement) -> Result<(), Wrong> {
+    fn take_unit(&mut self, statement: &Statement, line: usize) -> Result<(), Wrong> {
         let word = statement.words().next().unwrap_or_default();
         let unit = match word {
             "MM" => LengthUnit::Millimetre,
@@ -394,6 +394,9 @@ impl<'a> Reader<'a> {
         };
         if unit != self.unit && (self.has_moved || self.tip.is_some()) {
             return Err(Wrong::new(&statement.name, "the unit changes after points were given"));
+        }
+        if let Some(instead) = unit.instead_of(self.options.unit) {
+            self.notes.assume(line, &instead);
         }
         (self.unit, self.unit_is_said) = (unit, true);
         Ok(())

@@ -276,6 +276,9 @@ impl Reader<'_> {
                 "with these words it is a cycle of holes or of lathes, and no unit; let the CAM write the moves",
             ));
         }
+        if let Some(instead) = unit.instead_of(self.options.unit) {
+            self.machine.notes.assume(line, &instead);
+        }
         if self.unit != unit {
             let (old, new) = (self.unit.name(), unit.name());
             let notes = &mut self.machine.notes;
