@@ -125,11 +125,6 @@ impl<'a> Teeth<'a> {
         all.iter().copied().fold(Complex::new(0.0, 0.0), |most, one| if most.norm() < one.norm() { one } else { most })
     }
 
-    /// By how much a swing has grown from one tooth to the next at a depth, m, and a speed of the spindle, rad/s; more than 1 where it swings.
-    pub fn growth(&self, spindle: f64, steps: usize, depth: f64) -> f64 {
-        self.multiplier(&self.passage(spindle, steps), depth).norm()
-    }
-
     /// The least depth that swings at a speed of the spindle, rad/s, searched upwards from `from`, m; `None` where none up to [`LONGEST`] does.
     pub fn edge_at(&self, spindle: f64, steps: usize, from: f64) -> Option<Edge> {
         const RISE: f64 = 1.2;

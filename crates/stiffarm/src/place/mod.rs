@@ -257,11 +257,6 @@ pub struct SpaceHold {
 }
 
 impl Placement {
-    /// Of a part the face on which the deflection is largest.
-    pub fn worst_face(&self) -> Option<&FacePlacement> {
-        self.faces.iter().max_by(|a, b| a.deflection.total_cmp(&b.deflection))
-    }
-
     /// How far the lower bound lies below the value, relative to it; 0 where nothing gives way.
     pub fn gap(&self) -> f64 {
         if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
