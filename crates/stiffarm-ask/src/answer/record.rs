@@ -211,13 +211,13 @@ pub fn columns_of(field: &Field) -> Vec<Column> {
         Kind::Numbers { columns, .. } => {
             columns.iter().map(|heading| Column::new(*heading, ColumnKind::Number)).collect()
         }
-        Kind::List(_) | Kind::Maybe(_) | Kind::Object | Kind::Objects => Vec::new(),
+        Kind::List(_) | Kind::Maybe(_) | Kind::ByName(_) | Kind::Object | Kind::Objects => Vec::new(),
     }
 }
 
 fn cells_of(field: &Field, datum: &Datum) -> Vec<Cell> {
     match (field.kind, datum) {
-        (Kind::List(_) | Kind::Maybe(_) | Kind::Object | Kind::Objects, _) => Vec::new(),
+        (Kind::List(_) | Kind::Maybe(_) | Kind::ByName(_) | Kind::Object | Kind::Objects, _) => Vec::new(),
         (Kind::Numbers { columns, unit, .. }, Datum::Numbers(numbers)) => {
             let cell = |number: &Option<f64>| number.map_or(Cell::Absent, |si| Cell::Number(unit.of_si(si)));
             numbers.iter().map(cell).take(columns.len()).collect()

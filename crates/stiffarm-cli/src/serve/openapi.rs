@@ -33,8 +33,8 @@ pub(super) fn description() -> Value {
     for verb in Verb::jobs() {
         paths.insert(format!("/api/{}", address(verb)), json!({ "post": asked(verb) }));
     }
-    let table = || json!({ "type": "object" });
-    let sheets = || json!({ "type": "array", "items": table() });
+    let sheet = || referred(&shape::ROBOT_SHEET);
+    let sheets = || json!({ "type": "array", "items": sheet() });
     paths.insert(
         "/api/options".into(),
         json!({ "get": operation("Every option of every verb", &[], &options_schema()) }),
@@ -43,7 +43,7 @@ pub(super) fn description() -> Value {
     paths.insert("/api/robots".into(), json!({ "get": operation("Robots of the catalogue", &filters, &sheets()) }));
     paths.insert(
         "/api/robots/{name}".into(),
-        json!({ "get": operation("One robot of the catalogue", &[name()], &table()) }),
+        json!({ "get": operation("One robot of the catalogue", &[name()], &sheet()) }),
     );
     paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
     paths.insert("/api/job".into(), json!({ "post": job() }));
@@ -61,7 +61,10 @@ pub(super) fn description() -> Value {
 
 fn schemas() -> Map<String, Value> {
     let mut schemas = objects();
-    for (name, schema) in [("Answer", answer()), ("Forms", forms()), ("Tables", tables()), ("Refusal", refusal())] {
+    let sheet = (shape::ROBOT_SHEET.name, object(&shape::ROBOT_SHEET));
+    for (name, schema) in
+        [sheet, ("Answer", answer()), ("Forms", forms()), ("Tables", tables()), ("Refusal", refusal())]
+    {
         schemas.insert(name.into(), schema);
     }
     schemas
@@ -215,7 +218,7 @@ fn checked() -> Value {
     let verdict = json!({
         "type": "object", "required": keys, "additionalProperties": false,
         "properties": {
-            "robot": { "type": ["object", "null"] }, "notes": texts(), "doubts": texts(), "toml": { "type": ["string", "null"] },
+            "robot": or_null(referred(&shape::ROBOT_SHEET)), "notes": texts(), "doubts": texts(), "toml": { "type": ["string", "null"] },
             "hint": { "type": ["string", "null"] },
             "faults": { "type": "array", "items": {
                 "type": "object", "required": ["line", "key", "text"], "additionalProperties": false,
@@ -299,6 +302,7 @@ fn held(kind: FieldKind) -> Value {
         }
         FieldKind::List(of) => list(held(*of)),
         FieldKind::Maybe(of) => or_null(held(*of)),
+        FieldKind::ByName(of) => json!({ "type": "object", "additionalProperties": held(*of) }),
         FieldKind::Object | FieldKind::Objects => json!({ "type": ["object", "array"] }),
     }
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use hyper::StatusCode;
 use serde_json::{Value, json};
 use stiffarm::catalogue::files::{LoadError, load_text};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
@@ -44,7 +45,16 @@ pub(super) async fn shown(server: &Arc<Server>, name: &str, asked: Option<&str>)
     let (robot, form) = (decoded(name)?, form_of(asked)?);
     delivered(server, "robot", form, move || {
         let common = Common { sources: Sources::sent(std::collections::BTreeMap::new()), ..Common::usual() };
-        written_of(&data_sheet_of(&robot, None, common.context())?, form)
+        let sheet = data_sheet_of(&robot, None, common.context()).map_err(|error| {
+            // The address names the robot: one that is not known is nothing that is here.
+            let is_unknown = matches!(error, AskError::UnknownRobot { .. });
+            let mut refused = Refused::from(Failure::from(error));
+            if is_unknown {
+                refused.status = StatusCode::NOT_FOUND;
+            }
+            refused
+        })?;
+        written_of(&sheet, form)
     })
     .await
 }

@@ -155,7 +155,7 @@ fn of_kind(kind: Holds) -> String {
         Holds::Truth => "yes or no".into(),
         Holds::Count => "count".into(),
         Holds::Object | Holds::Objects => "fields of its own".into(),
-        Holds::List(of) | Holds::Maybe(of) => of_kind(*of),
+        Holds::List(of) | Holds::Maybe(of) | Holds::ByName(of) => of_kind(*of),
         Holds::Number(unit) | Holds::Numbers { unit, .. } => match unit {
             Unit::One => "1",
             Unit::Described => "as said",

@@ -226,6 +226,12 @@ fn what_is_malformed_is_refused_with_a_word_and_harms_nobody() {
         assert!(refusal["error"].as_str().unwrap().contains(words), "{body}: {refusal}");
         assert!(!refusal["hint"].as_str().unwrap().is_empty());
     }
+    // An address that names no robot leads nowhere.
+    for (robot, words) in [("nobody", "is not known"), ("BT200", "is not known")] {
+        let reply = served.get(&format!("/api/robots/{robot}"));
+        assert_eq!(reply.status, 404, "{}", reply.text());
+        assert!(reply.json()["error"].as_str().unwrap().contains(words), "{}", reply.text());
+    }
     let nested = format!("{{\"options\": {}", "[".repeat(100_000));
     assert_eq!(served.post("/api/place", "", &nested).status, 400);
     assert_eq!(served.ask("/api/study", &json!({ "options": { "sizes": vec![0.1; 5000] } })).status, 400);

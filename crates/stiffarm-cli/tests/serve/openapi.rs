@@ -138,7 +138,7 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
     assert_eq!(held(&served, &whole, ("/api/robots", "/api/robots?text=kuka&reach-m=3.."), None), 200);
     assert_eq!(held(&served, &whole, ("/api/robots", "/api/robots?nothing=1"), None), 400);
     assert_eq!(held(&served, &whole, ("/api/robots/{name}", "/api/robots/BT200L"), None), 200);
-    assert_eq!(held(&served, &whole, ("/api/robots/{name}", "/api/robots/nobody"), None), 422);
+    assert_eq!(held(&served, &whole, ("/api/robots/{name}", "/api/robots/nobody"), None), 404);
     let questions = [
         ("/api/place", json!({ "options": { "robot": "BT200L", "task": "circle:0.3", "tolerance-mm": 2.5 } }), 200),
         ("/api/place", json!({ "options": { "robot": "BT200L", "task": "circle:9" } }), 200),

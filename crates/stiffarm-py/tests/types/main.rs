@@ -157,6 +157,7 @@ fn plain(kind: Holds) -> String {
         }
         Holds::List(of) => format!("list[{}]", plain(*of)),
         Holds::Maybe(of) => format!("{} | None", plain(*of)),
+        Holds::ByName(of) => format!("dict[str, {}]", plain(*of)),
         Holds::Object | Holds::Objects => unreachable!("a shape says what stands there"),
     }
 }

@@ -89,6 +89,8 @@ pub enum Kind {
     List(&'static Kind),
     /// An item of a list that may be null.
     Maybe(&'static Kind),
+    /// Values under names that are not keys of ours; in no table.
+    ByName(&'static Kind),
     /// What has fields of its own, by a [`Shape`](super::super::shape::Shape); in no table.
     Object,
     /// A list of these.
@@ -128,6 +130,7 @@ impl Kind {
             (Self::Count, Value::Number(number)) => number.is_u64(),
             (Self::Maybe(of), value) => of.accepts(value),
             (Self::List(of), Value::Array(items)) => items.iter().all(|item| of.accepts(item)),
+            (Self::ByName(of), Value::Object(values)) => values.values().all(|value| of.accepts(value)),
             (Self::Numbers { nested, open, .. }, Value::Array(items)) => items.iter().all(|item| match item {
                 Value::Array(_) => {
                     0 < nested && Self::Numbers { unit: Unit::One, columns: &[], nested: 0, open }.accepts(item)
@@ -143,7 +146,7 @@ impl Kind {
     pub const fn unit(self) -> Option<Unit> {
         match self {
             Self::Number(unit) | Self::Numbers { unit, .. } => Some(unit),
-            Self::List(of) | Self::Maybe(of) => of.unit(),
+            Self::List(of) | Self::Maybe(of) | Self::ByName(of) => of.unit(),
             Self::Text | Self::Truth | Self::Count | Self::Object | Self::Objects => None,
         }
     }

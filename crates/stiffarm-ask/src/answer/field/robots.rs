@@ -6,6 +6,7 @@ fields! {
     MASS: "mass_kg", Kind::Number(Unit::Kilogram), "Mass of the arm.";
     REPEATABILITY: "repeatability_mm", Kind::Number(Unit::Millimetre), "Repeatability by the data sheet.";
     SOURCE: "source", Kind::Text, "Where it is published.";
+    SOURCES: "source", Kind::ByName(&Kind::Text), "Where it is published, by what of the robot's file: geometry, limits, mass, ...";
     ITEM: "item", Kind::Text, "What it is of.";
     CELL: "cell", Kind::Text, "Which number.";
     PRINTED: "printed", Kind::Text, "As it is printed.";

@@ -10,7 +10,7 @@ shapes! {
     ]];
     ROBOT_SHEET: "RobotSheet", "What is known of a robot, besides the keys of its file.", &[slots![
         ROBOT, VENDOR, ARCHITECTURE, STATUS, ARCHITECTURE_ASSUMED, STIFFNESS_SOURCE, DRIVE_COMPLIANCE, PAYLOAD | null, REACH | null,
-        MASS | null, REPEATABILITY | null, SOURCE,
+        MASS | null, REPEATABILITY | null, SOURCES,
     ]];
     PUBLISHED_NUMBER: "PublishedNumber", "A published number.",
         &[slots![SOURCE, ITEM, CELL, PRINTED, COMPUTED | null, AGREES, NOTE | null]];
