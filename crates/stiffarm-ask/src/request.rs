@@ -148,6 +148,15 @@ impl Request {
         self.find(name).is_some()
     }
 
+    /// What was given that changes figures alone.
+    pub fn given_of_figures(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.given
+            .iter()
+            .map(|given| given.setting)
+            .filter(|setting| setting.is_of_figures())
+            .map(|setting| setting.name)
+    }
+
     /// What was given, and how many values of it.
     pub fn counts(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
         self.given.iter().map(|given| (given.setting.name, given.values.len()))

@@ -63,6 +63,11 @@ impl<'a> Outputs<'a> {
         Ok(Self { common, files, job })
     }
 
+    /// What is written to them.
+    pub(crate) fn forms(&self) -> impl Iterator<Item = Form> {
+        self.files.iter().map(|(_, form, _)| *form)
+    }
+
     /// Prints an answer and writes it to every file; what cannot be written is printed, so that it is not lost. What was asked is written once it is
     /// answered.
     pub(crate) fn deliver(self, answer: &dyn Answer) -> Result<(), Failure> {

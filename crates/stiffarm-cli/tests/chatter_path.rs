@@ -157,8 +157,27 @@ fn lobes_and_a_report_show_the_worst_sample() {
     for words in ["Whether the cuts swing with the arm", "Chatter: ", "axial depth [mm]", "spindle modes unknown"] {
         assert!(report.contains(words), "{words}");
     }
-    let (code, _, err) = run(folder.path(), &[&MILL, &ROBOT, &TOOL, &["-o", "part.lobes.svg"]]);
-    assert!(code != Some(0) && err.contains("lobes are computed with --chatter"), "{err}");
+}
+
+/// A robot that is not there shows that nothing of it was looked for.
+#[test]
+fn what_cannot_be_made_of_a_path_is_refused_before_it_is_followed() {
+    let folder = folder();
+    let refused = |asked: &[&str]| {
+        let (code, out, err) = run(folder.path(), &[&MILL, &["--robot", "nobody"], asked]);
+        assert!(code != Some(0) && out.is_empty(), "{out}{err}");
+        err
+    };
+    for (asked, why) in [
+        (&["-o", "part.lobes.svg"][..], "lobes are computed with --chatter"),
+        (&["-o", "again.nc"], "written back with --compensate"),
+        (&["-o", "again.apt", "--compensate"], "is not written as .apt"),
+        (&["-o", "again.nc", "--compensate", "--only-tool", "1"], "is not written back"),
+        (&["-o", "again.nc", "--compensate"], "nobody"),
+    ] {
+        let said = refused(asked);
+        assert!(said.contains(why), "{asked:?}: {said}");
+    }
 }
 
 const TAPPED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples/tip_modes.csv");

@@ -87,7 +87,7 @@ pub(crate) fn answered(
 ) -> PyResult<Bound<'_, PyDict>> {
     let asked = read(verb(&question.verb)?, question.given)?;
     let forms = ask::forms(&asked);
-    wanted.forms.iter().try_for_each(|name| check(forms, name))?;
+    wanted.forms.iter().try_for_each(|name| check(&asked, forms, name))?;
     let mut sources = Sources::disk(wanted.written.clone());
     for (name, robot) in question.robots {
         sources = sources.with_robot(&name, robot.0);
@@ -105,9 +105,9 @@ pub(crate) fn answered(
 }
 
 /// Is there a form of this name, and is it made here?
-fn check(forms: Forms, name: &Path) -> PyResult<()> {
+fn check(asked: &Request, forms: Forms, name: &Path) -> PyResult<()> {
     match forms.form(name) {
-        Some(form) if form.is_of_answer() => Ok(()),
+        Some(form) if form.is_of_answer() => ask::check_form(asked, form).map_err(crate::hearing::refused),
         Some(_) => Err(refused(format!(
             "{} is not made here: stiffarm.plot draws with matplotlib, to_pandas() has the rows, and the program `stiffarm` writes both",
             name.display()

@@ -8,7 +8,7 @@ use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
 
 use super::context::Context;
-use super::outputs::mill::{MillOutput, rolls};
+use super::outputs::mill::{MillOutput, check_rewriting, rolls};
 use super::path::{all_moves, read_beside};
 use super::reports;
 use crate::error::AskError;
@@ -16,7 +16,7 @@ use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::View;
 use crate::figures::{FigureSize, lobes};
-use crate::forms::{Answer, Forms, Makes, Picture, Piece};
+use crate::forms::{Answer, Form, Forms, Makes, Picture, Piece};
 use crate::report::Report;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<MillOutput<'a>, AskError> {
@@ -28,6 +28,17 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<Mil
     let mut answer = context.watched("milling", milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(MillOutput { answer, asked, context, figure_size: FigureSize::of(asked)? })
+}
+
+/// That a form can be made of what is asked, as far as that is known before it is computed.
+pub(crate) fn check_form(asked: &Request, form: Form) -> Result<(), AskError> {
+    match form {
+        Form::Svg(Picture::Lobes) | Form::Png(Picture::Lobes) | Form::Pdf(Picture::Lobes) if !asked.asks_chatter() => {
+            Err(AskError::Figure("nothing to draw: lobes are computed with --chatter".into()))
+        }
+        Form::Program(ending) if Language::of_program(ending).is_none() => check_rewriting(asked, ending),
+        _ => Ok(()),
+    }
 }
 
 /// In which forms it is shown.
@@ -92,7 +103,7 @@ impl Answer for MillOutput<'_> {
     fn lobes(&self) -> Option<Result<String, AskError>> {
         let nothing = || {
             let why = match &self.answer.chatter {
-                None => "nothing to draw: lobes are computed with --chatter, of a path that is followed",
+                None => "nothing to draw: the path is not followed",
                 Some(_) => "nothing to draw: no cut of the path is covered",
             };
             AskError::Figure(why.into())

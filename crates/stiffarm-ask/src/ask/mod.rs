@@ -32,7 +32,7 @@ pub mod verify;
 pub use context::{Context, Listener};
 
 pub use crate::error::AskError;
-use crate::forms::{Answer, Forms};
+use crate::forms::{Answer, Form, Forms};
 use crate::request::{Request, Verb};
 
 /// An answer, or why there is none.
@@ -84,6 +84,14 @@ fn answerer(asked: &Request) -> Answerer {
 /// Where there is none: what is named is not there or has faults, what is asked makes no sense, or nobody waits any longer.
 pub fn ask<'a>(asked: &'a Request, context: Context<'a>) -> Result<Box<dyn Answer + 'a>, AskError> {
     (answerer(asked).answer)(asked, context)
+}
+
+/// That a form can be made of what is asked, as far as that is known before it is answered.
+///
+/// # Errors
+/// Why not, where it is known that it cannot.
+pub fn check_form(asked: &Request, form: Form) -> Result<(), AskError> {
+    if asked.verb == Verb::Mill { mill::check_form(asked, form) } else { Ok(()) }
 }
 
 /// In which forms a question is answered, before it is.

@@ -69,12 +69,17 @@ impl Request {
         Ok(Asked { feed, damping: self.damping(), method: self.get(opt::METHOD), measured })
     }
 
+    /// It is asked whether the cuts of a path swing.
+    pub fn asks_chatter(&self) -> bool {
+        self.is_set(opt::CHATTER)
+    }
+
     /// What swings along a path, where it is asked whether its cuts do, with what was measured at the tip.
     ///
     /// # Errors
     /// A mass without its centre.
     pub fn path_chatter(&self, measured: Option<&MeasuredTip>) -> Result<Option<MillHeld>, Refusal> {
-        if !self.is_set(opt::CHATTER) {
+        if !self.asks_chatter() {
             return Ok(None);
         }
         Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping(), measured: measured.cloned() }))

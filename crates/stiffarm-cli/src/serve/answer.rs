@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use hyper::StatusCode;
 use serde_json::{Map, Value, json};
-use stiffarm_ask::ask::{ask, forms};
+use stiffarm_ask::ask::{ask, check_form, forms};
 use stiffarm_ask::forms::{Answer, FORMS, Form, Forms, Picture};
 use stiffarm_ask::request::{Request, job};
 
@@ -46,7 +46,7 @@ pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u
 fn check(asked: &Request, form: Form) -> Result<(), Refused> {
     let (forms, verb) = (forms(asked), asked.verb.name());
     if forms.has(form) {
-        return Ok(());
+        return check_form(asked, form).map_err(|error| Failure::from(error).into());
     }
     let what = match form {
         Form::Report | Form::PrintedReport => "report; rank, place, mill, modes, identify and calibrate do",

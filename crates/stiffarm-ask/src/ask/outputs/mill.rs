@@ -38,27 +38,8 @@ impl MillOutput<'_> {
 
     /// The path's own file with its tips led aside.
     pub(crate) fn rewritten(&self, ending: &str) -> Result<Vec<u8>, AskError> {
-        let name = &self.answer.path;
-        if Builtin::is_meant(name) {
-            let why = format!(
-                "{name} is built in: there is no file to write back; -o path.src, path.mod or path.ls writes a robot program"
-            );
-            return Err(AskError::Usage(why));
-        }
-        if let Some(tool) = self.answer.only_tool {
-            let why = format!("only tool {tool} of {name} is milled: the file with all its tools is not written back");
-            return Err(AskError::Usage(why));
-        }
-        let options = self.asked.read_options();
-        let written = Format::of_name(&format!("a.{ending}"));
-        let read = self.asked.path_format(name)?;
-        if written != Some(read) {
-            let why = format!(
-                "{name} is {}: it is not written as .{ending}; choose an ending of its own format",
-                read.name()
-            );
-            return Err(AskError::Usage(why));
-        }
+        check_rewriting(self.asked, ending)?;
+        let (name, options) = (&self.answer.path, self.asked.read_options());
         let (format, mut input) = (self.asked.path_format(name)?, self.context.sources.open(name)?);
         let original = Original { input: &mut input, file: &files::shown(Path::new(name)), format, options: &options };
         let mut output = Vec::new();
@@ -70,6 +51,29 @@ impl MillOutput<'_> {
         }
         Ok(output)
     }
+}
+
+/// That the path is a file of this ending, which changes as a whole.
+pub(crate) fn check_rewriting(asked: &Request, ending: &str) -> Result<(), AskError> {
+    let name = asked.path()?;
+    let usage = |why: String| Err(AskError::Usage(why));
+    if Builtin::is_meant(&name) {
+        return usage(format!(
+            "{name} is built in: there is no file to write back; -o path.src, path.mod or path.ls writes a robot program"
+        ));
+    }
+    if let Some(tool) = asked.only_tool() {
+        return usage(format!("only tool {tool} of {name} is milled: the file with all its tools is not written back"));
+    }
+    let read = asked.path_format(&name)?;
+    if Format::of_name(&format!("a.{ending}")) != Some(read) {
+        let read = read.name();
+        return usage(format!("{name} is {read}: it is not written as .{ending}; choose an ending of its own format"));
+    }
+    if !asked.is_compensated() {
+        return usage(format!("{name} is written back with --compensate: without it the path stays as it is"));
+    }
+    Ok(())
 }
 
 /// Every roll at places along the path.
