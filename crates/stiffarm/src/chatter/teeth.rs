@@ -6,27 +6,33 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{Complex, DMatrix, Matrix3x2};
+use nalgebra::{Complex, DMatrix, DVector, Matrix3x2};
 
 use super::curve::Edge;
 use super::cut::{Cut, LONGEST};
 use crate::modes::Motion;
 
-/// Steps over a period of the fastest mode that matters: the depth is then good to 1 %.
+/// Steps over a period of the fastest mode that counts, and of the fastest one there is: the depth is then good to 1 %, and to some per cent where
+/// modes decide that give less of the compliance.
 const PER_PERIOD: f64 = 30.0;
+const PER_PERIOD_OF_ANY: f64 = 12.0;
 /// Steps over a cut.
 const FEWEST: usize = 16;
 const MOST: usize = 120;
-/// A mode that gives a smaller share of the compliance across the tool does not matter.
+/// A mode counts that gives this share of the compliance across the tool, or more. Others may decide where teeth pass far above all that count.
 const COUNTS: f64 = 0.01;
-/// Where teeth pass so many times as fast as the fastest mode that matters, they press.
+/// Where teeth pass so many times as fast as the fastest mode that counts, they press.
 const FAST: f64 = 4.0;
+/// So many directions in which motion is looked at for the one that grows most: its own memory are two for each mode, the rest dies from tooth to tooth.
+const DIRECTIONS: usize = 40;
 
-/// The modes of an arm that matter across the tool, in the axes of a cut.
+/// The modes of an arm, in the axes of a cut.
 #[derive(Clone, Debug)]
 pub struct Teeth<'a> {
     motion: Motion,
     cut: &'a Cut,
+    /// The fastest mode that counts, rad/s.
+    counts: f64,
 }
 
 /// What one tooth does, by its steps.
@@ -38,37 +44,105 @@ struct Passage {
     free: f64,
 }
 
+/// What becomes of motion and of the past from one tooth to the next.
+struct Turn {
+    /// Of each step: of motion, and of a displacement that stands still a tooth earlier.
+    steps: Vec<(DMatrix<f64>, DMatrix<f64>)>,
+    /// Out of the cut.
+    free: DMatrix<f64>,
+    /// The tool, by the positions of the modes.
+    at: DMatrix<f64>,
+}
+
+impl Turn {
+    /// Positions and speeds of the modes, then the tool at the ends of the steps.
+    fn size(&self) -> usize {
+        self.free.nrows() + 2 * (self.steps.len() + 1)
+    }
+
+    /// One tooth on.
+    fn after(&self, before: &DVector<f64>) -> DVector<f64> {
+        let kept = self.free.nrows();
+        let mut now = before.rows(0, kept).into_owned();
+        let mut after = DVector::zeros(self.size());
+        let tool = |now: &DVector<f64>| &self.at * now.rows(0, kept / 2);
+        after.rows_mut(kept, 2).copy_from(&tool(&now));
+        for (i, (own, past)) in self.steps.iter().enumerate() {
+            let held = (before.rows(kept + 2 * i, 2) + before.rows(kept + 2 * i + 2, 2)) * 0.5;
+            now = own * now + past * held;
+            after.rows_mut(kept + 2 * (i + 1), 2).copy_from(&tool(&now));
+        }
+        after.rows_mut(0, kept).copy_from(&(&self.free * now));
+        after
+    }
+
+    /// The map as far as it reaches from one motion in so many teeth (Arnoldi): its largest eigenvalues are those of the map.
+    fn projected(&self) -> DMatrix<f64> {
+        let most = self.size().min(DIRECTIONS);
+        let mut within = DMatrix::zeros(most, most);
+        // No direction is left out by chance.
+        let first = DVector::from_fn(self.size(), |i, _| 1.0 + (i as f64).sin());
+        let mut directions = vec![first.normalize()];
+        for column in 0..most {
+            let mut next = self.after(&directions[column]);
+            // Twice, so that they stay at right angles.
+            for _ in 0..2 {
+                for (row, direction) in directions.iter().enumerate() {
+                    let along = next.dot(direction);
+                    within[(row, column)] += along;
+                    next.axpy(-along, direction, 1.0);
+                }
+            }
+            let left = next.norm();
+            if column + 1 == most || left <= f64::EPSILON * within.column(column).norm() {
+                return within.view((0, 0), (column + 1, column + 1)).into_owned();
+            }
+            within[(column + 1, column)] = left;
+            directions.push(next / left);
+        }
+        within
+    }
+}
+
+/// How many steps a cut takes at a speed of the spindle, rad/s, so many over a period of a mode, rad/s.
+fn steps_of(cut: &Cut, spindle: f64, mode: f64, per_period: f64) -> f64 {
+    (per_period * cut.period_at(spindle) * cut.duty().min(1.0) * mode / TAU).ceil()
+}
+
 impl<'a> Teeth<'a> {
-    /// Of an arm in a cut: modes that give less than a hundredth of the compliance across the tool are left out.
+    /// Of an arm in a cut: modes that give less than a hundredth of the compliance across the tool are left out where they are too fast for any steps.
     pub fn of(motion: &Motion, cut: &'a Cut) -> Self {
         let of_mode = |i: usize| motion.tip.fixed_view::<2, 1>(0, i).norm_squared() / motion.own[i].powi(2);
         let parts: Vec<f64> = (0..motion.own.len()).map(of_mode).collect();
         let whole: f64 = parts.iter().sum();
-        let kept: Vec<usize> = (0..parts.len()).filter(|&i| COUNTS * whole <= parts[i]).collect();
+        let counts = |i: &usize| COUNTS * whole <= parts[*i];
+        let may_be_followed = |i: usize| steps_of(cut, cut.spindle, motion.own[i], PER_PERIOD_OF_ANY) <= MOST as f64;
+        let kept: Vec<usize> = (0..parts.len()).filter(|i| counts(i) || may_be_followed(*i)).collect();
+        let fastest = (0..parts.len()).filter(counts).map(|i| motion.own[i]).fold(0.0, f64::max);
         let motion = Motion {
             own: kept.iter().map(|&i| motion.own[i]).collect(),
             friction: motion.friction.select_rows(&kept).select_columns(&kept),
             tip: motion.tip.select_columns(&kept),
         };
-        Self { motion, cut }
+        Self { motion, cut, counts: fastest }
     }
 
-    /// The fastest mode that matters, rad/s.
+    /// The fastest mode, rad/s.
     fn fastest(&self) -> f64 {
         self.motion.own.iter().copied().fold(0.0, f64::max)
     }
 
-    /// Does the mean over a revolution mislead here? Where a tooth cuts for half of the time or less, and teeth do not pass far above all modes that matter.
+    /// Does the mean over a revolution mislead here? Where a tooth cuts for half of the time or less, and teeth do not pass far above all modes that count.
     pub fn are_needed(&self) -> bool {
         let passing = TAU / self.cut.period_at(self.cut.spindle);
-        self.cut.is_short() && passing < FAST * self.fastest()
+        self.cut.is_short() && passing < FAST * self.counts
     }
 
     /// How many steps a cut needs at a speed of the spindle, rad/s; `None` where they are too many to be taken.
     pub fn steps(&self, spindle: f64) -> Option<usize> {
-        let cutting = self.cut.period_at(spindle) * self.cut.duty().min(1.0);
-        let steps = (PER_PERIOD * cutting * self.fastest() / TAU).ceil();
-        (steps <= MOST as f64).then(|| (steps as usize).max(FEWEST))
+        let of = |mode: f64, per_period: f64| steps_of(self.cut, spindle, mode, per_period);
+        let (counting, any) = (of(self.counts, PER_PERIOD), of(self.fastest(), PER_PERIOD_OF_ANY));
+        (counting <= MOST as f64).then(|| (counting.max(any) as usize).clamp(FEWEST, MOST))
     }
 
     fn passage(&self, spindle: f64, steps: usize) -> Passage {
@@ -97,31 +171,16 @@ impl<'a> Teeth<'a> {
         (whole.view((0, 0), (2 * n, 2 * n)).into_owned(), whole.view((0, 2 * n), (2 * n, 2)).into_owned())
     }
 
-    /// From one tooth to the next: motion, and where the tool was at the ends of the steps.
-    fn map(&self, passage: &Passage, depth: f64) -> DMatrix<f64> {
-        let (n, steps) = (self.motion.own.len(), passage.factors.len());
-        let (kept, size) = (2 * n, 2 * n + 2 * (steps + 1));
-        let at = self.motion.tip.rows(0, 2);
-        let mut map = DMatrix::zeros(size, size);
-        let mut now = DMatrix::identity(kept, size);
-        map.view_mut((kept, 0), (2, size)).copy_from(&(at * now.rows(0, n)));
-        for (i, factors) in passage.factors.iter().enumerate() {
-            let (own, past) = self.step(factors, depth, passage.step);
-            now = own * now;
-            for earlier in [kept + 2 * i, kept + 2 * i + 2] {
-                let mut columns = now.view_mut((0, earlier), (kept, 2));
-                columns += &past * 0.5;
-            }
-            map.view_mut((kept + 2 * (i + 1), 0), (2, size)).copy_from(&(at * now.rows(0, n)));
-        }
+    /// From one tooth to the next at a depth: a map of motion and of where the tool was at the ends of the steps.
+    fn turn(&self, passage: &Passage, depth: f64) -> Turn {
+        let steps = passage.factors.iter().map(|factors| self.step(factors, depth, passage.step)).collect();
         let (free, _) = self.step(&Matrix3x2::zeros(), 0.0, passage.free);
-        map.view_mut((0, 0), (kept, size)).copy_from(&(free * now));
-        map
+        Turn { steps, free, at: self.motion.tip.rows(0, 2).into_owned() }
     }
 
     /// The eigenvalue of the largest size.
     fn multiplier(&self, passage: &Passage, depth: f64) -> Complex<f64> {
-        let all = self.map(passage, depth).complex_eigenvalues();
+        let all = self.turn(passage, depth).projected().complex_eigenvalues();
         all.iter().copied().fold(Complex::new(0.0, 0.0), |most, one| if most.norm() < one.norm() { one } else { most })
     }
 
@@ -167,5 +226,43 @@ impl<'a> Teeth<'a> {
         let asked = alike.filter(|phase| 0.0 < *phase).map(|phase| phase / period);
         let found = asked.max_by(|a, b| answer(*a).total_cmp(&answer(*b)));
         Edge { depth, frequency: found.unwrap_or(PI / period) / TAU }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cutting::{Edge as Force, Engagement, Milling};
+
+    /// All of the map, column by column, and all of its eigenvalues.
+    #[test]
+    fn the_largest_eigenvalue_of_a_few_directions_is_that_of_all() {
+        let mode = |hertz: f64, ratio: f64, tip: [f64; 3]| (TAU * hertz, ratio, tip);
+        let motion = Motion::uncoupled(&[
+            mode(16.4, 0.03, [0.09, 0.02, 0.01]),
+            mode(41.0, 0.05, [-0.03, 0.08, 0.0]),
+            mode(72.0, 0.02, [0.02, 0.03, 0.05]),
+            mode(90.0, 0.04, [0.01, -0.02, 0.03]),
+            mode(310.0, 0.03, [0.06, 0.01, 0.0]),
+            mode(1640.0, 0.03, [0.3, -0.2, 0.1]),
+        ]);
+        let engagement = Engagement { depth: 1e-3, entry: 2.0, exit: PI, feed_per_tooth: 1e-4 };
+        let edge = Force::Linear { chip: [1800e6, 900e6, 0.0], rubbing: [0.0; 3] };
+        let milling = Milling { diameter: 0.05, teeth: 2, helix: 0.0, engagement, edge };
+        for rpm in [400.0, 1500.0, 4000.0, 12_000.0] {
+            let cut = Cut { milling, spindle: rpm * TAU / 60.0 };
+            let teeth = Teeth::of(&motion, &cut);
+            let passage = teeth.passage(cut.spindle, 60);
+            for depth in [1e-5, 2e-4, 1e-3, 5e-3] {
+                let turn = teeth.turn(&passage, depth);
+                let size = turn.size();
+                let unit = |i: usize| DVector::from_fn(size, |j, _| f64::from(u8::from(i == j)));
+                let columns: Vec<_> = (0..size).map(|i| turn.after(&unit(i))).collect();
+                let all = DMatrix::from_columns(&columns).complex_eigenvalues();
+                let most = all.iter().map(|one| one.norm()).fold(0.0, f64::max);
+                let found = teeth.multiplier(&passage, depth).norm();
+                assert!((found / most - 1.0).abs() < 1e-6, "{rpm} rpm, {depth} m: {found} {most}");
+            }
+        }
     }
 }
