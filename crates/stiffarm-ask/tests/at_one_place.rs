@@ -175,6 +175,27 @@ fn one_place_stays_where_it_is_in_a_cell() {
     assert!(matches!(with(&[("keep-out", "1..2,-3..3,..1.2")]), Placed::Infeasible { .. }));
 }
 
+/// Straight ahead joint 1 comes too near to its limits in the posture that gives way least: 0.2860 mm, at 3.4 deg about the joint-1 axis, is of another
+/// place. By a program of its own, over all postures and rolls in steps of a degree, 0.2905 mm is the least straight ahead.
+#[test]
+fn one_place_is_straight_ahead_and_not_turned_into_the_range_of_joint_1() {
+    let asked = [
+        ("robot", "KR 210 R2700 extra"),
+        ("task", "rect:0.5x0.3"),
+        ("model", "spatial"),
+        ("tool", "spindle:250@90"),
+        ("force-n", "300,100,50"),
+        ("feed-deg", "30"),
+        ("angle", "90"),
+    ];
+    let ahead = feasible(&[&asked[..], &[("at", "1.3,0.9")]].concat());
+    assert_eq!(ahead.space().unwrap().bearing, 0.0, "{ahead:?}");
+    assert!((ahead.deflection * 1e3 - 0.2905).abs() < 2e-4, "{}", ahead.deflection);
+    assert!(ahead.gap() < 0.011, "{}", ahead.gap());
+    let turned = feasible(&[&asked[..], &[("within", "1.1..1.5,0.89..0.91")]].concat());
+    assert!(turned.deflection < ahead.deflection);
+}
+
 /// A clearance that the best place keeps anyway costs nothing: where nothing stands about the robot, the work stands in front of it as it does
 /// where no clearance is asked for.
 #[test]

@@ -89,19 +89,19 @@ pub(super) struct BranchAndBound<'a> {
 }
 
 impl<'a> BranchAndBound<'a> {
-    /// For the places that `region` and the options allow.
+    /// For the places that `region` and the options allow, at any bearing about the joint-1 axis or straight ahead alone, and at any roll of the tool
+    /// or those that are asked for.
     pub(super) fn new(
         arm: &SpatialArm,
         zone: Zone,
         options: &'a Question<'a>,
         region: [Interval; 2],
-        roll_is_free: bool,
+        [turned, roll_is_free]: [bool; 2],
     ) -> Self {
         let [first, second] = zone.sides();
         let half = first.hypot(second) / 2.0;
         let tool = arm.flange_from_tool.translation.vector;
         let long = tool.z.abs() + arm.geometry.c4.abs() + tool.xy().norm();
-        let turned = !options.load.breaks_symmetry();
         let enclosure = ArmEnclosure::new(arm, [turned, false, false, false, false, roll_is_free]).under(options.load);
         let lever = [1.0, 1.0, half + long, half, enclosure.beside_the_tool_axis() + 0.1];
         Self {
@@ -375,7 +375,8 @@ mod tests {
                 let arm = SpatialArm::new(robot, &tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();
                 let region = region(&arm, question.within);
-                let branch_and_bound = BranchAndBound::new(&arm, zone, &question, region, roll_is_free);
+                let branch_and_bound =
+                    BranchAndBound::new(&arm, zone, &question, region, [!options.load.breaks_symmetry(), roll_is_free]);
                 let placed =
                     place(&Model::spatial(robot, &tool).unwrap(), &zone.into(), &options, Watch::nobody()).unwrap();
                 let Some(best) = placed.feasible() else { continue };

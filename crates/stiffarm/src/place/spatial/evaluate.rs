@@ -75,8 +75,8 @@ impl Search<'_> {
             let halving = (found - before) / before.max(f64::MIN_POSITIVE);
             if halving.abs() < HALVING || CELLS[3] <= cells {
                 let followed = self.placed(work, configuration).follow(&grid)?;
-                // Turned about the joint-1 axis, the zone would stand otherwise to a force that is fixed to the base.
-                if self.options.load.breaks_symmetry() && followed.bearing != 0.0 {
+                // Turned about the joint-1 axis, the zone would stand elsewhere, or otherwise to a force that is fixed to the base.
+                if !self.turns_about_axis_1() && followed.bearing != 0.0 {
                     return Err(NotFollowed::Impossible);
                 }
                 let placement = self.placement(work, configuration, &grid, &followed, coarse, halving);

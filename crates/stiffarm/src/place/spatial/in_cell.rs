@@ -78,7 +78,7 @@ pub(super) fn search(
     }
     let mut found = search.best(USUAL)?;
     let (relaxed, region) = search.ground.relaxed();
-    let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
+    let bound = BranchAndBound::new(arm, zone, &relaxed, region, [true, search.roll_is_free]);
     let value = |found: &Result<Solution, _>| {
         found.as_ref().map_or(f64::INFINITY, |solution| solution.deflection / options.force)
     };

@@ -111,7 +111,7 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);
         let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
-        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(upper)?;
+        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], [true, roll_is_free]).prove(upper)?;
         Ok((proof.lower, proof.boxes))
     };
     parallel::try_each_of(part.faces.len(), one)
@@ -187,7 +187,9 @@ fn infeasible(
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);
         let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
-        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(f64::INFINITY)?;
+        let proof =
+            BranchAndBound::new(arm, face.zone, &alone, [ahead, z], [!alone.load.breaks_symmetry(), roll_is_free])
+                .prove(f64::INFINITY)?;
         if proof.unfathomed.is_empty() {
             return infeasible(Misfit::Face(face.name.clone()), true);
         }

@@ -45,7 +45,8 @@ const RESTARTS: usize = 3;
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Result<Placed, Stopped> {
     let search = Search::new(robot, arm, zone, options);
     let mut found = search.find(STARTS[0])?;
-    let branch_and_bound = BranchAndBound::new(arm, zone, options, search.region, search.roll_is_free);
+    let branch_and_bound =
+        BranchAndBound::new(arm, zone, options, search.region, [search.turns_about_axis_1(), search.roll_is_free]);
     let value = |found: &Result<Solution, Misfit>| {
         found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
@@ -116,6 +117,11 @@ fn of_centres(region: [Interval; 2], zone: Zone, options: &Question) -> [Interva
     })
 }
 
+/// No place is left to choose.
+fn is_point(region: &[Interval; 2]) -> bool {
+    region.iter().all(|range| range.width() == 0.0)
+}
+
 /// A whole turn in fine steps, rad.
 pub(super) fn fine_rolls() -> impl Iterator<Item = f64> {
     (0..(360.0 / FINE_ROLL) as usize).map(|i| (i as f64 * FINE_ROLL).to_radians())
@@ -159,11 +165,12 @@ impl<'a> Search<'a> {
     pub(super) fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question<'a>) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
         let region = of_centres(region(arm, options.within), zone, options);
+        let turns = !options.load.breaks_symmetry() && !is_point(&region);
         let longest = region[0].width().max(region[1].width());
         Self {
             robot,
             arm,
-            freed: arm.without_limit_on(0, !options.load.breaks_symmetry()).without_limit_on(5, roll_is_free),
+            freed: arm.without_limit_on(0, turns).without_limit_on(5, roll_is_free),
             zone,
             options,
             roll_is_free,
@@ -174,7 +181,13 @@ impl<'a> Search<'a> {
 
     /// No place is left to choose.
     pub(super) fn is_one_place(&self) -> bool {
-        self.region.iter().all(|range| range.width() == 0.0)
+        is_point(&self.region)
+    }
+
+    /// A zone that fits where it is turned about the joint-1 axis is as good: it may stand at any bearing. One place is straight ahead, and a force
+    /// that is fixed to the base does not turn.
+    pub(super) fn turns_about_axis_1(&self) -> bool {
+        !self.options.load.breaks_symmetry() && !self.is_one_place()
     }
 
     /// The best place that the coarse search and its refinement see.
