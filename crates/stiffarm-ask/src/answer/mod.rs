@@ -72,7 +72,7 @@ pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
 pub use styles::{RobotStyle, styles};
 pub use tip::TipFile;
-pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
+pub use verdict::{HOLDS, ON_TOP, SURE, Verdict, tone_of};
 pub use verify::{VerifyAnswer, VerifyRankAnswer};
 
 /// Keys in the order in which they are written.

@@ -200,6 +200,10 @@ impl RankAnswer {
         }
         headings.extend(tasks.iter().map(|task| task.label.clone()));
         let places: Vec<String> = match tasks.as_slice() {
+            // Beside windows that count from the cell's floor.
+            [_] if self.options.cell.is_some() => {
+                ["x from base [m]", "z from base [m]", "margin [deg]"].map(Into::into).into()
+            }
             [_] => ["x [m]", "z [m]", "margin [deg]"].map(Into::into).into(),
             several => several.iter().map(|task| format!("{} at [m, deg]", task.label)).collect(),
         };

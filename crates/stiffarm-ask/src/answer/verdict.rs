@@ -1,7 +1,7 @@
 //! Is a tolerance held, how sure is that, and what does it mean?
 
 use super::words::fixed;
-use super::{Record, Unit, field};
+use super::{Record, Tone, Unit, field};
 
 /// With this probability or more a tolerance that is held nominally is held.
 pub const SURE: f64 = 0.95;
@@ -27,7 +27,8 @@ pub struct Verdict {
     pub margin_mm: f64,
     /// How likely the robot is to hold it, as far as drives and model may be off; `None` where nothing is known of that.
     pub probability: Option<f64>,
-    /// Something that it is not about is known to err by more than the tolerance: the geometry of an arm that nobody calibrated.
+    /// Something that it is not about is known to err by so much that the tolerance is not kept: the geometry of an arm that nobody calibrated, or
+    /// what its calibration leaves.
     pub is_of_drives_alone: bool,
 }
 
@@ -72,6 +73,9 @@ impl Verdict {
     /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`.
     pub fn in_words(self) -> String {
         match self.probability {
+            Some(probability) if self.passes && self.is_of_drives_alone => {
+                format!("{} (P = {} of the drives alone)", self.word(), percent(probability))
+            }
             Some(probability) => format!("{} (P = {})", self.word(), percent(probability)),
             None if self.passes => format!("{} (P not known)", self.word()),
             None => self.word().into(),
@@ -82,6 +86,17 @@ impl Verdict {
     pub(super) fn short(self) -> String {
         let probability = self.probability.map_or_else(String::new, |known| format!(", P {}", percent(known)));
         format!("{} {:+.3}{probability}", self.word(), self.margin_mm)
+    }
+}
+
+/// How the verdict in a text sounds, where one stands in it.
+pub fn tone_of(text: &str) -> Option<Tone> {
+    let says = |word: &str| text.split([' ', ',', ':', ';']).any(|part| part == word);
+    match () {
+        () if says("fail") => Some(Tone::Bad),
+        () if text.contains("pass, not sure") => Some(Tone::Open),
+        () if says("pass") => Some(Tone::Good),
+        () => None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
+use crate::answer::mill::foreign;
 use crate::answer::{Headline, MillAnswer, Rows};
 use crate::request::Request;
 use serde_json::Value;
@@ -62,7 +63,12 @@ impl Answer for MillOutput<'_> {
     fn program(&self, ending: &str) -> Option<Result<Vec<u8>, AskError>> {
         let language = Language::of_program(ending);
         Some(match language {
-            Some(language) => self.answer.program(language).map(String::into_bytes).map_err(Into::into),
+            Some(language) => {
+                if let Some(remark) = foreign(language, &self.answer.robot) {
+                    self.context.listener.warn(&format!("warning: {remark}"));
+                }
+                self.answer.program(language).map(String::into_bytes).map_err(Into::into)
+            }
             None => self.rewritten(ending),
         })
     }

@@ -78,6 +78,11 @@ pub enum ForcedError {
         "a stock tells how much of a mill is in the work; expected a process with a mill: [tool], [engagement] and a material"
     )]
     NoMill,
+    /// The tool is in the air wherever it feeds.
+    #[error(
+        "the path never meets the stock, so that nothing pushes on the tool; expected the block in mm, in the path's own frame"
+    )]
+    Missed,
     /// It is no longer wanted.
     #[error(transparent)]
     Stopped(#[from] Stopped),
@@ -127,10 +132,6 @@ pub fn forced(
         }
         (Some(_), _) => return Err(ForcedError::NoMill),
     };
-    remarks.extend(in_work.iter().filter(|engaged| engaged.iter().all(Option::is_none)).map(|_| {
-        "the path never meets the stock: nothing pushes on the tool; is the block given in the path's own frame?"
-            .to_owned()
-    }));
     let (mut next, mut clock) = (0, Clock { way: 0.0, time: Some(0.0) });
     let stations = cut(moves, steps, |one, sample| {
         watch.go_on()?;
@@ -158,6 +159,9 @@ pub fn forced(
         };
         found.map(|(acting, cut)| (Some(acting), cut))
     })?;
+    if has_stock && stations.iter().all(|station| station.acting.is_none()) {
+        return Err(ForcedError::Missed);
+    }
     remarks.extend(about_feeds(&stations, forcing));
     if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
         remarks.extend(about_engagement(&stations, &taken, milling));
@@ -195,10 +199,12 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
         let [low, high] = other.fold([f64::INFINITY, 0.0], |[low, high], feed| [feed.min(low), feed.max(high)]);
         if low <= high {
             let per_minute = |feed: f64| (feed * 60e3).round();
+            let feeds = match [low, high].map(per_minute) {
+                [low, high] if low == high => format!("{low}"),
+                [low, high] => format!("{low} to {high}"),
+            };
             found.push(format!(
-                "the path feeds at {} to {} mm/min where the process means {}: the force is that of its feed per tooth",
-                per_minute(low),
-                per_minute(high),
+                "the path feeds at {feeds} mm/min where the process means {}: the force is that of its feed per tooth",
                 per_minute(meant)
             ));
         }
@@ -232,17 +238,18 @@ fn about_engagement(stations: &[Station], taken: &[bool], milling: &Milling) -> 
     let mut warn = |at: Vec<usize>, what: &str, why: &str| {
         let Some(first) = at.first() else { return };
         let line = of_line(stations[*first].sample.line);
-        found.push(format!("WIDER CUTS: {line}{} {what}: {why}, under more force than is computed", at.len()));
+        let times = if at.len() == 1 { "once".into() } else { format!("{} times", at.len()) };
+        found.push(format!("WIDER CUTS: {line}{times} {what}: {why}, under more force than is computed"));
     };
     let all = || 0..stations.len();
     warn(
         all().filter(begins).collect(),
-        "times a cut begins",
+        "a cut begins",
         "where that is inside the material the mill cuts in its full width",
     );
     warn(
         all().skip(1).filter(turns).collect(),
-        "times the feed turns by more than 30 deg",
+        "the feed turns by more than 30 deg",
         "in an inside corner the mill cuts wider",
     );
     found
@@ -422,7 +429,7 @@ mod tests {
             assert!(cut.contains("2 mm deep and 4 mm wide, is taken on every feed move, in air too"), "{cut}");
             let [begins, turns] = starting("WIDER CUTS")[..] else { panic!("{remarks:?}") };
             assert!(begins.starts_with("WIDER CUTS: line 2: 2 times a cut begins"), "{begins}");
-            assert!(turns.starts_with("WIDER CUTS: line 4: 1 times the feed turns by more than 30 deg"), "{turns}");
+            assert!(turns.starts_with("WIDER CUTS: line 4: once the feed turns by more than 30 deg"), "{turns}");
         }
         // No cut is wider than a slot, and what the path says itself is not the process's.
         let slot = remarks_of(16.0, "slot", nothing);

@@ -208,6 +208,16 @@ impl Language {
         }
     }
 
+    /// Whose controllers read it; `None` of what is no controller's.
+    pub const fn maker(self) -> Option<&'static str> {
+        match self {
+            Self::Krl => Some("KUKA"),
+            Self::Rapid => Some("ABB"),
+            Self::Ls => Some("Fanuc"),
+            Self::RoboDk | Self::Ros2 | Self::JointsCsv => None,
+        }
+    }
+
     /// The language whose programs have this ending; tables are none.
     pub fn of_program(ending: &str) -> Option<Self> {
         Self::ALL

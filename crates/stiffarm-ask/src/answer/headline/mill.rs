@@ -21,12 +21,15 @@ impl MillAnswer {
                 };
                 (outcome, vec![format!("{name} does not follow {}: {reason}.", self.path)])
             }
-            Some(found) => match (self.judged(found), self.contact_sentence()) {
-                (judged, None) => judged,
-                ((_, sentences), Some(touched)) => {
-                    (Outcome::Collides, [touched].into_iter().chain(sentences).collect())
+            Some(found) => {
+                let (judged, sentences) = self.judgement(found);
+                let forbidden = self.contact_sentence().map(|touched| (Outcome::Collides, touched));
+                let overloaded = || Some((Outcome::Overloaded, self.overload_sentence()?));
+                match forbidden.or_else(overloaded) {
+                    None => (judged, sentences),
+                    Some((outcome, why)) => (outcome, [why].into_iter().chain(sentences).collect()),
                 }
-            },
+            }
         };
         let sentences: Vec<String> =
             sentences.into_iter().chain(self.chatter_verdict().map(|verdict| format!("Chatter: {verdict}."))).collect();
@@ -38,7 +41,7 @@ impl MillAnswer {
         Headline { outcome, sentences, rests_on }
     }
 
-    fn judged(&self, found: &Followed) -> (Outcome, Vec<String>) {
+    fn judgement(&self, found: &Followed) -> (Outcome, Vec<String>) {
         let (name, path, value) = (self.robot.full_name(), &self.path, mm(found.worst.0));
         let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
             let mut sentences = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
@@ -74,7 +77,8 @@ impl MillAnswer {
         sentences.push(scattered(verdict, self.spread(), &self.robot));
         sentences.extend(self.left());
         let milled = self.milled_verdict().unwrap_or(verdict);
-        sentences.extend(self.geometry_exceeds(tolerance).filter(|_| milled.passes));
+        let left = (tolerance - milled.margin_mm) / 1e3;
+        sentences.extend(self.geometry_exceeds(tolerance, left).filter(|_| milled.passes));
         (judged(milled), sentences)
     }
 

@@ -151,13 +151,27 @@ impl MillAnswer {
         self.drawn_error().map_or_else(String::new, drawn)
     }
 
-    /// The geometry errs by more than a tolerance that the deflection keeps, mm: that verdict is of the deflection alone.
-    pub(in crate::answer) fn geometry_exceeds(&self, tolerance_mm: f64) -> Option<String> {
-        let found = self.drawn_error().filter(|found| tolerance_mm < found.median * 1e3)?;
-        Some(format!(
-            "The geometry of this arm, which was not calibrated, errs by {} mm (median) besides, more than the tolerance: `stiffarm calibrate` finds it.",
-            fixed(found.median * 1e3, 2)
-        ))
+    /// The geometry errs by so much that a tolerance, mm, is not kept, although a deflection, m, keeps it: that verdict is of the deflection alone.
+    pub(in crate::answer) fn geometry_exceeds(&self, tolerance_mm: f64, deflection: f64) -> Option<String> {
+        let (besides, what, helps) = match (&self.robot.calibration, self.drawn_error()) {
+            (Some(known), _) => (
+                known.left_out,
+                "The calibration of this arm leaves {} mm (rms, where it was not measured) besides",
+                "more points, nearer to the work, leave less.",
+            ),
+            (None, Some(found)) => (
+                found.median,
+                "The geometry of this arm, which was not calibrated, errs by {} mm (median) besides",
+                "`stiffarm calibrate` finds it.",
+            ),
+            (None, None) => return None,
+        };
+        let more = match tolerance_mm / 1e3 {
+            tolerance if tolerance < besides => "more than the tolerance",
+            tolerance if tolerance < besides + deflection => "with the deflection more than the tolerance",
+            _ => return None,
+        };
+        Some(format!("{}, {more}: {helps}", what.replace("{}", &fixed(besides * 1e3, 2))))
     }
 
     /// What of it stands in the head of a program.

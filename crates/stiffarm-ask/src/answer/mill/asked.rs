@@ -67,6 +67,7 @@ impl MillAnswer {
         let (mut stock, known_to) = block_of(asked, &forcing, &path)?;
         remarks.extend(known_to);
         let survey = surveyed(asked, moves.iter());
+        remarks.extend(tiny(&survey));
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         if let Some(clear_of) = &mut options.clear_of {
             clear_of.cutter = asked.stick_out(tool).map(|length| Cutter { length, radius: radius_of(&forcing), shank });
@@ -189,6 +190,16 @@ fn no_spindle(cutter: &Cutter, flange_from_tool: &Pose) -> Option<String> {
     let [length_mm, reach_mm] = [length, reach].map(|metres| fixed(metres * 1e3, 1));
     (reach < length).then(|| {
         format!("the cutter stands out of the spindle by {length_mm} mm, the tool reaches {reach_mm} mm from the flange: no spindle is compared with part, stock and fixture")
+    })
+}
+
+/// All that a path feeds lies within so little that its unit may be another one.
+fn tiny(survey: &Survey) -> Option<String> {
+    const LEAST: f64 = 2e-3;
+    let [low, high] = survey.extent?;
+    let widest = (high - low).max();
+    (widest < LEAST).then(|| {
+        format!("all that the path feeds lies within {} mm: are its numbers in another unit (unit, or the headings of a table)?", fixed(widest * 1e3, 3))
     })
 }
 

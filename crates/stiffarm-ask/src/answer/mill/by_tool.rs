@@ -107,8 +107,10 @@ impl ByToolAnswer {
             .map(|section| section.milled.draws.clone())
             .reduce(|all, one| Some(all?.into_iter().zip(one?).map(|(all, one)| all.max(one)).collect()));
         let known = draws.flatten().map(|draws| Known::of(draws, Some(tolerance)));
-        let is_of_drives_alone =
-            self.sections.iter().any(|section| section.milled.geometry_exceeds(tolerance).is_some());
+        let is_of_drives_alone = self
+            .sections
+            .iter()
+            .any(|section| section.milled.verdict().is_some_and(|verdict| verdict.is_of_drives_alone));
         let verdict = Verdict::of(worst, tolerance).with(known.and_then(|known| known.holds));
         Some(Verdict { is_of_drives_alone, ..verdict })
     }

@@ -18,6 +18,7 @@ pub use bodies::{Bodies, MeshFile};
 pub use by_tool::{ByToolAnswer, Section};
 pub use chatter::PathChatterAnswer;
 use nalgebra::Vector3;
+pub(crate) use programs::foreign;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 
@@ -173,28 +174,28 @@ impl MillAnswer {
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, found) = self.tolerance_mm.zip(self.followed())?;
         let known = self.draws.clone().map(|draws| Known::of(draws, Some(tolerance)));
-        Some(self.beside_geometry(Verdict::of(found.worst.0, tolerance).with(known.and_then(|known| known.holds))))
+        self.judged(found.worst.0, known.and_then(|known| known.holds))
     }
 
     /// The same of what compensation leaves, the median of the draws as the nominal value; `None`, too, where nothing says how far the drives may
     /// be off.
     pub(super) fn compensated_verdict(&self) -> Option<Verdict> {
         let (tolerance, (left, _)) = self.tolerance_mm.zip(self.compensation.as_ref()?.remaining.as_ref())?;
-        let holds = Known::of(left.all.clone(), Some(tolerance)).holds;
-        Some(self.beside_geometry(Verdict::of(left.median, tolerance).with(holds)))
+        self.judged(left.median, Known::of(left.all.clone(), Some(tolerance)).holds)
     }
 
-    fn beside_geometry(&self, verdict: Verdict) -> Verdict {
-        let is_of_drives_alone = self.tolerance_mm.is_some_and(|tolerance| self.geometry_exceeds(tolerance).is_some());
-        Verdict { is_of_drives_alone, ..verdict }
+    /// A deflection, m, held with such a probability, beside what the geometry errs.
+    fn judged(&self, deflection: f64, holds: Option<f64>) -> Option<Verdict> {
+        let tolerance = self.tolerance_mm?;
+        let is_of_drives_alone = self.geometry_exceeds(tolerance, deflection).is_some();
+        Some(Verdict { is_of_drives_alone, ..Verdict::of(deflection, tolerance).with(holds) })
     }
 
     /// The same of what is milled: who compensates sends a program that leaves the median of the draws, or what the model says where nothing
     /// is known of the drives.
     pub(super) fn milled_verdict(&self) -> Option<Verdict> {
         let Some(Compensation { done, .. }) = &self.compensation else { return self.verdict() };
-        let by_model = Verdict::of(done.by_joints, self.tolerance_mm?);
-        Some(self.compensated_verdict().unwrap_or_else(|| self.beside_geometry(by_model)))
+        self.compensated_verdict().or_else(|| self.judged(done.by_joints, None))
     }
 
     /// The largest force along the path, N.
@@ -211,6 +212,12 @@ impl MillAnswer {
     pub(super) fn carried(&self) -> Carried {
         let tip = Some(self.flange_from_tool.translation.vector);
         FlangeLoad { tool: self.options.tool_weight, tip, newtons: self.newtons() }.by(&self.robot)
+    }
+
+    /// More than the robot may carry.
+    pub(super) fn overload_sentence(&self) -> Option<String> {
+        let exceeded = self.carried().exceeded()?;
+        Some(format!("{} may not carry this: {exceeded}.", self.robot.full_name()))
     }
 
     fn blocked(&self) -> Option<&Blocked> {

@@ -5,11 +5,12 @@ use std::io::Write;
 use super::super::stiffness::stiffness;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use stiffarm::calibration::ControllerModel;
+use stiffarm::catalogue::robots;
 use stiffarm::chain::TrueArm;
 use stiffarm::mill::{Followed, PartPlacement, Stand, Station, approach};
 use stiffarm::plain::on_one_line;
 use stiffarm::program::{self, Language, Setup, Style};
-use stiffarm::robot::Arm;
+use stiffarm::robot::{Arm, Robot};
 use stiffarm::toolpath::{Original, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
 
 /// Of moves through the air in programs, m/s.
@@ -178,10 +179,12 @@ pub(super) fn program_of(
         stations.extend(found);
         remarks.push(number.map_or_else(|| remark.clone(), |number| format!("T{number}: {remark}")));
         remarks.extend(section.contact_remark());
+        remarks.extend(section.overload_sentence().map(|sentence| format!("WARNING: {sentence}")));
         let only = section.only_tool.filter(|_| number.is_none());
         remarks.extend(only.map(|tool| format!("Only what tool {tool} of the path cuts.")));
     }
     let stiffness = stiffness(&first.robot);
+    remarks.extend(foreign(language, &first.robot).map(|remark| format!("WARNING: {remark}.")));
     remarks.extend(first.arm_remarks());
     let arm = TrueArm::of(&first.robot);
     let controller = first.controller(arm.as_ref())?;
@@ -200,4 +203,15 @@ pub(super) fn program_of(
         Style { name: "STIFFARM".into(), rapid: RAPID, blend: BLEND, moves_per_file: None, fanuc_letters: None };
     let files = program::write(language, &setup, &stations, &style)?;
     Ok(files.into_iter().next().map_or_else(String::new, |file| file.text))
+}
+
+/// That a program is of other controllers than the robot's, where its maker is one of the catalogue's.
+pub(crate) fn foreign(language: Language, robot: &Robot) -> Option<String> {
+    let maker = language.maker().filter(|maker| !robot.vendor.eq_ignore_ascii_case(maker))?;
+    robots().iter().find(|known| known.vendor == robot.vendor)?;
+    Some(format!(
+        "a .{} is read by controllers of {maker}, and the robot is one of {}",
+        language.ending(),
+        robot.vendor
+    ))
 }

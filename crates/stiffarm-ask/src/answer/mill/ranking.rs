@@ -104,12 +104,12 @@ impl PathRankAnswer {
         self.rows.iter().filter_map(|row| row.milled.as_ref().ok())
     }
 
-    /// The first robot with a rank that follows the path, and those that cannot be distinguished from it by the proof.
+    /// The first robot with a rank that follows the path and may carry what it holds, and those that cannot be distinguished from it by the proof.
     pub(in crate::answer) fn best(&self) -> Option<(&PathRow, Vec<&PathRow>)> {
-        let mut ranked = self.rows.iter().filter(|row| row.standing.rank.is_some() && row.proved().is_some());
+        let mut ranked = self.rows.iter().filter(|row| row.is_candidate());
         let best = ranked.next()?;
-        let is_rival = |row: &&PathRow| row.standing.rank.is_some_and(|rank| rank.place == 1);
-        Some((best, ranked.filter(is_rival).collect()))
+        let place = |row: &PathRow| row.standing.rank.map(|rank| rank.place);
+        Some((best, ranked.filter(|row| place(row) == place(best)).collect()))
     }
 
     /// Where the force on the tool comes from, in words.
@@ -121,18 +121,27 @@ impl PathRankAnswer {
     pub fn heading(&self) -> String {
         let Some(first) = self.milled().next() else { return format!("{}: no robot has six joints\n", self.path) };
         format!(
-            "Largest error [mm] along {}, each robot at its best place and rolls ({})\n{}; {}\ntool {}; keeps {}\n",
+            "Largest error [mm] along {}, each robot at its best place and rolls ({})\n{}; {}\ntool {}{}; keeps {}\n{}",
             self.path,
             first.options.roll.name(),
             first.force,
             stiffnesses(self.rows.iter().map(|row| &row.robot)),
             words::tool(&first.flange_from_tool),
+            first.options.tool_weight.map_or_else(String::new, |weight| format!(", {} kg", weight.mass)),
             first.kept(),
+            first.in_cell().map(|[name, text]| format!("{name}: {text}\n")).collect::<String>(),
         )
+    }
+
+    /// From what places count: the robots stand in a cell, or each by itself.
+    fn counts_from(&self) -> &'static str {
+        let is_in_cell = self.milled().next().is_some_and(|milled| milled.ground.cell.is_some());
+        if is_in_cell { "in the cell" } else { "from the base" }
     }
 
     /// For people: one row per robot.
     pub fn table(&self) -> Table {
+        let origin = format!("origin {} [m]", self.counts_from());
         let headings = [
             "#",
             "robot",
@@ -140,11 +149,11 @@ impl PathRankAnswer {
             "error [mm]",
             "at least [mm]",
             "90 % interval [mm]",
-            "origin at [m]",
+            &origin,
             "yaw [deg]",
             "margin [deg]",
         ];
-        let mut table = Table::new(headings).with_room(2, &["yaw [deg]", "margin [deg]", "status", "origin at [m]"]);
+        let mut table = Table::new(headings).with_room(2, &["yaw [deg]", "margin [deg]", "status", &origin]);
         let best = self.best().map(|(best, _)| &best.robot);
         for row in &self.rows {
             let is_estimated = row.robot.status == Status::Estimated;
@@ -175,15 +184,19 @@ impl PathRankAnswer {
     /// What a manager would read.
     pub fn sentences(&self) -> Vec<String> {
         let Some((best, rivals)) = self.best() else {
-            return vec![format!("No robot whose geometry is published follows {}{}.", self.path, self.clearly())];
+            let carried = if self.overloads().next().is_some() { " and may carry tool and force" } else { "" };
+            let none =
+                format!("No robot whose geometry is published follows {}{}{carried}.", self.path, self.clearly());
+            return [none].into_iter().chain(self.overloads()).collect();
         };
         let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 3));
         let value = best.proved().map_or(0.0, |[_, value]| value);
         let mut sentences = vec![format!(
-            "The smallest error along {} is that of {}: {}.",
+            "The smallest error along {} is that of {}: {}{}.",
             self.path,
             best.robot.full_name(),
-            mm(value)
+            mm(value),
+            self.leaves_out(best, value)
         )];
         if !rivals.is_empty() {
             let names = named(rivals.iter().map(|row| row.robot.name.clone()).collect());
@@ -193,7 +206,8 @@ impl PathRankAnswer {
             let name = |row: &PathRow| {
                 let probability = row.milled.as_ref().ok().and_then(|milled| milled.verdict()?.probability);
                 let sure = probability.map_or_else(String::new, |known| format!(" (P {})", verdict::percent(known)));
-                format!("{}{sure}", row.robot.name)
+                let estimated = if row.robot.status == Status::Estimated { " ~" } else { "" };
+                format!("{}{estimated}{sure}", row.robot.name)
             };
             let holds: Vec<String> = self.rows.iter().filter(|row| row.holds(tolerance)).map(name).collect();
             if holds.is_empty() {
@@ -204,7 +218,27 @@ impl PathRankAnswer {
         }));
         let known = self.rows.iter().filter_map(|row| Some((row.robot.name.as_str(), row.chances?))).collect();
         sentences.extend(uncertainty::sentence(&self.path, known));
+        sentences.extend(self.overloads());
         sentences
+    }
+
+    /// Robots that follow the path and may not carry what they hold.
+    fn overloads(&self) -> impl Iterator<Item = String> {
+        self.milled().filter(|milled| clear(milled).is_some()).filter_map(MillAnswer::overload_sentence)
+    }
+
+    /// Of which robots the best is not, where others have a smaller error.
+    fn leaves_out(&self, best: &PathRow, value: f64) -> &'static str {
+        let is_better = |row: &&PathRow| row.proved().is_some_and(|[_, other]| other < value);
+        let better: Vec<&PathRow> = self.rows.iter().filter(is_better).collect();
+        let of_others = |is_left_out: fn(&PathRow) -> bool| better.iter().any(|row| is_left_out(row));
+        match (of_others(|row| row.robot.status == Status::Estimated), of_others(PathRow::is_overloaded)) {
+            _ if !best.is_candidate() => "",
+            (true, true) => ", of the robots whose geometry is published and that may carry tool and force",
+            (true, false) => ", of the robots whose geometry is published",
+            (false, true) => ", of the robots that may carry tool and force",
+            (false, false) => "",
+        }
     }
 
     /// What a path that is followed must do besides, where some robot does not.
@@ -215,11 +249,8 @@ impl PathRankAnswer {
 
     /// Why the answer is no, where it is: no robot of published geometry follows the path and holds the tolerance.
     pub fn shortfall(&self) -> Option<String> {
-        let is_good = |row: &PathRow| {
-            row.standing.rank.is_some()
-                && row.proved().is_some()
-                && self.tolerance_mm.is_none_or(|tolerance| row.holds(tolerance))
-        };
+        let is_good =
+            |row: &PathRow| row.is_candidate() && self.tolerance_mm.is_none_or(|tolerance| row.holds(tolerance));
         if self.rows.iter().any(is_good) {
             return None;
         }
@@ -253,7 +284,7 @@ fn ordered(all: Vec<(Robot, Result<MillAnswer, PostureError>)>) -> Vec<PathRow> 
     let standings = order(&contestants);
     let draws = |(robot, milled): &(Robot, Result<MillAnswer, PostureError>)| {
         let milled = milled.as_ref().ok().filter(|_| robot.status != Status::Estimated)?;
-        clear(milled).and_then(|_| milled.draws.clone())
+        clear(milled).filter(|_| !milled.carried().is_exceeded()).and_then(|_| milled.draws.clone())
     };
     let chances = of_task(&all.iter().map(draws).collect::<Vec<_>>());
     let mut all: Vec<_> = all.into_iter().zip(chances).map(Some).collect();
@@ -288,8 +319,19 @@ impl PathRow {
         proved(self.milled.as_ref().ok()?)
     }
 
+    /// It holds the tolerance, mm, at the nominal stiffness, and may carry what it holds.
     pub(in crate::answer) fn holds(&self, tolerance_mm: f64) -> bool {
-        self.proved().is_some_and(|[_, value]| Verdict::of(value, tolerance_mm).passes)
+        !self.is_overloaded() && self.proved().is_some_and(|[_, value]| Verdict::of(value, tolerance_mm).passes)
+    }
+
+    /// Tool and force are more than it may carry.
+    fn is_overloaded(&self) -> bool {
+        self.milled.as_ref().is_ok_and(|milled| milled.carried().is_exceeded())
+    }
+
+    /// It has a rank, follows the path and may carry what it holds.
+    fn is_candidate(&self) -> bool {
+        self.standing.rank.is_some() && self.proved().is_some() && !self.is_overloaded()
     }
 
     fn record(&self, tolerance_mm: Option<f64>) -> Record {
@@ -302,6 +344,9 @@ impl PathRow {
         let spread = answer.and_then(MillAnswer::spread);
         let mut record = Record::of(&shape::PATH_RANKING_ROW);
         stiffness::put_robot(&mut record, robot);
+        if let Some(milled) = answer {
+            milled.carried().put(&mut record);
+        }
         record
             .put(field::RANK, standing.rank.map(|rank| rank.place))
             .put(field::RANK_TIED, standing.rank.map(|rank| rank.is_tied))
@@ -347,15 +392,18 @@ impl PathRow {
             ""
         };
         let verdict = milled.verdict().map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
+        // As `mill --at` takes it.
+        let (at, yaw) = match milled.ground.cell {
+            Some(_) => (placement.at, Some(placement.yaw)),
+            None => (placement.at_from_base(), placement.yaw_from_ahead()),
+        };
         let margin = least(found, |pushed| pushed.limit_margin.min(pushed.singular_margin));
         vec![
             format!("{}{mark}{verdict}", mm(value)),
             mm(bound),
             milled.spread().map_or_else(|| "-".into(), |spread| format!("{} .. {}", mm(spread.p05), mm(spread.p95))),
-            placement.at_from_base().map(|metres| fixed(metres, 3)).join(", "),
-            placement
-                .yaw_from_ahead()
-                .map_or_else(|| "-".into(), |yaw| degrees(yaw).trim_end_matches(" deg").to_owned()),
+            at.map(|metres| fixed(metres, 3)).join(", "),
+            yaw.map_or_else(|| "-".into(), |yaw| degrees(yaw).trim_end_matches(" deg").to_owned()),
             degrees(margin).trim_end_matches(" deg").to_owned(),
         ]
     }

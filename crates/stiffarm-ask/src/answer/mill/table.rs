@@ -80,14 +80,18 @@ impl MillAnswer {
         )
     }
 
+    /// The cell, where there is one.
+    pub(super) fn in_cell(&self) -> impl Iterator<Item = Line> {
+        let PathGround { within, cell, .. } = self.ground;
+        // Where the place is given, windows are none.
+        let most = if self.search.is_some() { usize::MAX } else { 1 };
+        let lines = cell.map(|cell| cell_report::lines(&cell, &within.unwrap_or(Within::ANYWHERE)));
+        lines.into_iter().flatten().take(most)
+    }
+
     fn place_lines(&self) -> Vec<Line> {
-        let PathGround { margins, within, cell } = self.ground;
-        let mut lines = Vec::new();
-        if let Some(cell) = cell {
-            // Where the place is given, windows are none.
-            let cell_lines = cell_report::lines(&cell, &within.unwrap_or(Within::ANYWHERE));
-            lines.extend(cell_lines.into_iter().take(if self.search.is_some() { usize::MAX } else { 1 }));
-        }
+        let PathGround { margins, cell, .. } = self.ground;
+        let mut lines: Vec<Line> = self.in_cell().collect();
         let column = margins::column(&margins, &self.robot).filter(|_| self.search.is_some());
         lines.extend(column.map(|kept| line("the path keeps", kept)));
         let Some(placement) = self.placement else { return lines };
@@ -177,7 +181,7 @@ impl MillAnswer {
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
             let is_alone = verdict.passes && verdict.is_of_drives_alone;
-            let alone = if is_alone { "; of the deflection alone: the geometry errs by more (besides)" } else { "" };
+            let alone = if is_alone { "; with the geometry (besides) it is more" } else { "" };
             lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.in_words())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
@@ -214,9 +218,7 @@ impl MillAnswer {
                 lines.push(line(EXPECTED_RESIDUAL, text));
                 let verdict = self.tolerance_mm.zip(self.compensated_verdict());
                 lines.extend(verdict.map(|(tolerance, verdict)| {
-                    let is_alone = verdict.passes && verdict.is_of_drives_alone;
-                    let alone = if is_alone { "; of the deflection alone" } else { "" };
-                    line("tolerance, compensated", format!("{tolerance} mm: {}{alone}", verdict.in_words()))
+                    line("tolerance, compensated", format!("{tolerance} mm: {}", verdict.in_words()))
                 }));
             }
             None => lines.push(line(

@@ -41,7 +41,7 @@ impl MillAnswer {
             "z [mm]",
             "error [mm]",
         ];
-        headings.extend(self.tolerance_mm.map(|_| "verdict"));
+        headings.extend(self.tolerance_mm.map(|_| "below the tolerance [mm]"));
         headings.extend(["force [N]", "roll [deg]", "to a limit [deg]", "to straight [deg]"]);
         let mut table = Table::new(headings);
         for (line, (station, pushed)) in worst.into_iter().take(MOST_LINES) {
@@ -56,10 +56,7 @@ impl MillAnswer {
         let mut cells = vec![name, mm(station.sample.way, 1)];
         cells.extend(station.sample.pose.tip.iter().map(|part| mm(*part, 2)));
         cells.push(mm(pushed.error, 4));
-        cells.extend(self.tolerance_mm.map(|tolerance| {
-            let verdict = Verdict::of(pushed.error, tolerance);
-            format!("{} {:+.4}", verdict.nominal(), verdict.margin_mm)
-        }));
+        cells.extend(self.tolerance_mm.map(|tolerance| fixed(Verdict::of(pushed.error, tolerance).margin_mm, 4)));
         cells.push(match &station.acting {
             None => "-".into(),
             Some(Acting::Any(newtons)) => fixed(*newtons, 1),

@@ -44,6 +44,7 @@ shapes! {
     ]];
     PATH_RANKING_ROW: "PathRankingRow", "One robot of a ranking on a path.", &[
         OF_ROBOT,
+        OF_LOAD,
         slots![
             RANK | null, RANK_TIED | null, FEASIBLE | null, REASON | null, PATH_WORST | null, PATH_WORST_P05 | null, PATH_WORST_P50 | null,
             PATH_WORST_P95 | null, PATH_LOWER_BOUND | null, RMS | null, ROLL_CHOICE | null => ROLL_CHOICE,
