@@ -24,6 +24,34 @@ fn json(words: &[&str]) -> Value {
     serde_json::from_slice(&program(&[words, &["--format", "json"]].concat()).success().get_output().stdout).unwrap()
 }
 
+/// The same readings with forces in kgf: every drive gives way 9.81 times as much.
+#[test]
+fn forces_in_another_unit_are_remarked_on() {
+    let text = fs::read_to_string(Path::new(ROOT).join("docs/examples/fanuc_r2000ic.csv")).unwrap();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let header = lines.next().unwrap();
+    let is_load: Vec<bool> = header
+        .split(',')
+        .map(|name| ["fx", "fy", "fz", "mx", "my", "mz"].iter().any(|load| name.starts_with(load)))
+        .collect();
+    assert!(is_load.contains(&true), "{header}");
+    let row = |line: &str| {
+        let cells = line.split(',').zip(&is_load).map(|(cell, is_load)| match cell.parse::<f64>() {
+            Ok(newtons) if *is_load => (newtons / 9.80665).to_string(),
+            _ => cell.to_owned(),
+        });
+        cells.collect::<Vec<_>>().join(",")
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("kgf.csv");
+    fs::write(&file, [header.to_owned()].into_iter().chain(lines.map(row)).collect::<Vec<_>>().join("\n")).unwrap();
+    let mut asked = ASKED;
+    let name = file.to_string_lossy().into_owned();
+    asked[1] = &name;
+    let [right, wrong] = [&ASKED, &asked].map(|asked| json(asked)["remarks"].to_string());
+    assert!(wrong.contains("1 kgf is 9.81 N") && !right.contains("kgf"), "{wrong} {right}");
+}
+
 #[test]
 fn the_answer_says_what_is_not_known_and_becomes_a_robot_file_that_other_verbs_read() {
     let folder = tempfile::tempdir().unwrap();

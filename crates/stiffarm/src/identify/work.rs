@@ -14,6 +14,7 @@ use super::{
 };
 use crate::catalogue::measurements::Reading;
 use crate::parallel;
+use crate::prior::by_size;
 use crate::robot::{Arm, Robot};
 use crate::watch::Watch;
 
@@ -204,6 +205,7 @@ impl<'a> Work<'a> {
         let written = robot_with(self.robot, &estimates, &used, options, fitness);
         let mut remarks = remarks.to_vec();
         remarks.extend(self.odd_postures());
+        remarks.extend(unlike_its_size(self.robot, &estimates));
         let residual = self.residual(&values_of(&unknowns, &solution.values, &held));
         let found = Identification {
             robot: written,
@@ -482,4 +484,31 @@ fn turned(load: &Vector6<f64>, axes: Axes, bent: &Bent) -> Vector6<f64> {
             Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
         }
     }
+}
+/// All drives that are identified give way so many times as much, or as little, as those of robots of this size: a unit is more likely than such a robot.
+fn unlike_its_size(robot: &Robot, estimates: &[Estimate]) -> Option<String> {
+    const LEAST: usize = 3;
+    const TIMES: f64 = 4.0;
+    let Ok((usual, _)) = by_size(robot) else { return None };
+    let known = estimates.iter().filter(|estimate| estimate.unknown.is_none());
+    let ratios: Vec<f64> = known
+        .filter_map(|estimate| match estimate.spring {
+            Spring::Drive(i) => Some(estimate.used / usual[i]),
+            _ => None,
+        })
+        .filter(|ratio| 0.0 < *ratio)
+        .collect();
+    if ratios.len() < LEAST {
+        return None;
+    }
+    let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();
+    let (times, more) = match mean {
+        mean if TIMES < mean && ratios.iter().all(|ratio| 1.0 < *ratio) => (mean, "more"),
+        mean if mean < 1.0 / TIMES && ratios.iter().all(|ratio| *ratio < 1.0) => (1.0 / mean, "less"),
+        _ => return None,
+    };
+    Some(format!(
+        "the {} drives that are identified give way about {times:.1} times {more} than those of robots of this payload and reach: are the forces in N (1 kgf is 9.81 N, 1 lbf 4.45 N), and the displacements in the unit of their headings?",
+        ratios.len()
+    ))
 }
