@@ -131,6 +131,8 @@ impl Request {
         request.check_runs()?;
         request.check_filters()?;
         request.check_tools()?;
+        request.check_at()?;
+        request.check_mass_centre()?;
         Ok(request)
     }
 

@@ -313,6 +313,7 @@ pub(super) fn tool_length(text: &str) -> Result<(u32, f64), String> {
     let expected = || "expected T and the number of a tool, =, and 0 to 2000 mm, such as T1=82.5".to_owned();
     let (Some(tool), length) = of_tool(text) else { return Err(expected()) };
     let length = number(length, 0.0, 2e3, "").map_err(|_| expected())?;
+    checked_tool(&[length])?;
     Ok((tool, length / 1e3))
 }
 

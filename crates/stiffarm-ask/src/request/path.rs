@@ -88,6 +88,33 @@ impl Request {
         of.map(|(_, length)| spindle * Pose::translation(0.0, 0.0, *length)).ok_or_else(missing)
     }
 
+    /// That a path stands where a robot can be: farther away m were meant to be mm.
+    pub(super) fn check_at(&self) -> Result<(), Refusal> {
+        const FARTHEST: f64 = 50.0;
+        let Some(at) = self.at().map(|placement| placement.at).filter(|_| self.verb == Verb::Mill) else {
+            return Ok(());
+        };
+        match at.into_iter().find(|metres| FARTHEST < metres.abs()) {
+            None => Ok(()),
+            Some(metres) => {
+                Err(self
+                    .refused(opt::AT, format!("has {metres} m; expected m, from -{FARTHEST} to {FARTHEST}, not mm")))
+            }
+        }
+    }
+
+    /// That the mass of the tool is not where it would be if mm were m.
+    pub(super) fn check_mass_centre(&self) -> Result<(), Refusal> {
+        const NEAREST: f64 = 1.0;
+        let centre: Vec<f64> = self.all(opt::TOOL_COM_MM);
+        let farthest = centre.iter().fold(0.0, |most: f64, mm| most.max(mm.abs()));
+        if farthest == 0.0 || NEAREST <= farthest {
+            return Ok(());
+        }
+        let why = format!("lies {farthest} mm from the flange; expected mm, not m, and one of at least {NEAREST} mm");
+        Err(self.refused(opt::TOOL_COM_MM, why))
+    }
+
     /// That processes and lengths by tool say one thing of each tool, and something of every one that mills.
     pub(super) fn check_tools(&self) -> Result<(), Refusal> {
         if self.verb != Verb::Mill {
