@@ -284,7 +284,11 @@ impl MilledFigure<'_> {
         let mut entries = vec![
             Entry::line("error, by the model", format!(r#"stroke="{DEFLECTION}" stroke-width="1.6""#)),
             Entry::line(
-                format!("lower bound {}", self.answer.which_rolls()),
+                if self.answer.search.is_some() {
+                    "proved lower bound of all places".into()
+                } else {
+                    format!("lower bound {}", self.answer.which_rolls())
+                },
                 format!(r#"stroke="{LIMIT}" stroke-width="1" stroke-dasharray="2 3""#),
             ),
         ];

@@ -1,5 +1,7 @@
 //! Where the work must stand, as a shop drawing has it: from the side and, below it, from above, with lengths in mm.
 
+use std::borrow::Cow;
+
 use crate::answer::words::degrees;
 use crate::answer::{Dimension, Layout};
 use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, KEEP_OUT, PROSE, ZONE};
@@ -18,6 +20,8 @@ const FIRST: f64 = 30.0;
 const HIGHEST: f64 = 230.0;
 /// What is shown around the foot of the robot, m.
 const FOOT: f64 = 0.3;
+/// What is kept free is shown so far beside the work, m.
+const ASIDE: f64 = 1.0;
 /// Of the x axis of a path, px.
 const X_AXIS: f64 = 46.0;
 /// Shorter lengths stand in the table alone, px.
@@ -69,13 +73,12 @@ impl ShopFigure<'_> {
         // From above: y, to the left, upwards.
         canvas.tell_scale([scale.left[1], scale.lower[1]], [scale.left[0], scale.lower[0]], scale.per_metre);
         self.tell_work(&mut canvas, &scale);
-        self.draw_kept_free(&mut canvas, &scale, top);
+        let mut texts = self.draw_kept_free(&mut canvas, &scale, top);
         self.draw_side(&mut canvas, &scale, top);
         self.draw_above(&mut canvas, &scale);
         let of = |axis: usize| self.layout.dimensions.iter().filter(move |one| one.axis == axis).enumerate();
         let from = scale.across(self.layout.extent(0)[1]);
         let column = |i: usize| scale.right + FIRST + 1.6 * STEP * i as f64;
-        let mut texts = Vec::new();
         for (i, one) in of(2) {
             texts.extend(upright(&mut canvas, one, column(i), &|z| scale.side([0.0, 0.0, z])[1], from));
         }
@@ -88,7 +91,7 @@ impl ShopFigure<'_> {
         }
         // Over the lines of all the others.
         for (at, text, font) in texts {
-            canvas.text(at, text, font);
+            canvas.text(at, &text, font);
         }
         canvas.height = below + FIRST + STEP * of(0).count() as f64 + 4.0;
         canvas.finish()
@@ -100,7 +103,13 @@ impl ShopFigure<'_> {
             let ([low, high], origin) = (self.layout.extent(axis), self.layout.centre[axis]);
             [low.min(origin), high.max(origin)]
         };
-        let [x, y, z] = [0, 1, 2].map(with_origin);
+        // What is kept free beside the work is seen whole, and of what goes on beyond only its beginning.
+        let with_kept_free = |axis: usize| {
+            let [low, high] = with_origin(axis);
+            let ends = self.layout.keep_out.iter().flat_map(|block| block[axis]).filter(|end| end.is_finite());
+            ends.fold([low, high], |[from, to], end| [from.min(end.max(low - ASIDE)), to.max(end.min(high + ASIDE))])
+        };
+        let [x, y, z] = [0, 1, 2].map(with_kept_free);
         let across = [x[0].min(foot[0] - FOOT), x[1].max(foot[0] + FOOT)];
         let aside = [y[0].min(foot[1] - FOOT), y[1].max(foot[1] + FOOT)];
         let up = [z[0].min(floor.unwrap_or(foot[2])).min(foot[2]), z[1].max(foot[2] + FOOT)];
@@ -128,20 +137,22 @@ impl ShopFigure<'_> {
         );
     }
 
-    /// What must be kept free, as far as the views go.
-    fn draw_kept_free(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
+    /// What must be kept free, as far as the views go, and its names.
+    fn draw_kept_free(&self, canvas: &mut Canvas, scale: &Scale, top: f64) -> Vec<Text<'static>> {
         let look = format!(r#"fill="{KEEP_OUT}" fill-opacity="0.12" stroke="{KEEP_OUT}" stroke-width="1.2""#);
         let font = Font::new(12.0).colour(PROSE).halo();
         let sides = [scale.left[1] - 14.0, scale.right + 14.0];
+        let mut names = Vec::new();
         for (i, [x, y, z]) in self.layout.keep_out.iter().enumerate() {
             let across = x.map(|x| scale.across(x).clamp(sides[0], sides[1]));
             let up = [z[1], z[0]].map(|z| scale.side([0.0, 0.0, z])[1].clamp(top - 6.0, scale.upper[1]));
             let over = [y[1], y[0]].map(|y| scale.above([0.0, y, 0.0])[1].clamp(scale.upper[1] + 30.0, scale.lower[1]));
             for [high, low] in [up, over].into_iter().filter(|[high, low]| high < low && across[0] < across[1]) {
                 canvas.rect([across[0], high], [across[1], low], &look);
-                canvas.text([across[0] + 4.0, high + 10.0], &format!("keep-out {}", i + 1), font);
+                names.push(([across[0] + 4.0, high + 10.0], Cow::from(format!("keep-out {}", i + 1)), font));
             }
         }
+        names
     }
 
     /// Floor, foot, axis and zone from the right side of the robot.
@@ -223,7 +234,7 @@ fn is_too_short([a, b]: [f64; 2], text: &str) -> bool {
 }
 
 /// A text, where it stands, and how it looks.
-type Text<'a> = (Px, &'a str, Font<'static>);
+type Text<'a> = (Px, Cow<'a, str>, Font<'static>);
 
 /// A length along x, at the height `y`; lines lead up to `from`. Its text is still to be drawn.
 fn level<'a>(canvas: &mut Canvas, one: &'a Dimension, y: f64, at: &dyn Fn(f64) -> f64, from: f64) -> Option<Text<'a>> {
@@ -238,9 +249,9 @@ fn level<'a>(canvas: &mut Canvas, one: &'a Dimension, y: f64, at: &dyn Fn(f64) -
     canvas.line([a, y], [b, y], &thin());
     let font = Font::new(12.0).halo();
     Some(if is_too_short([a, b], &one.text) {
-        ([a.max(b) + 9.0, y], &one.text, font)
+        ([a.max(b) + 9.0, y], Cow::from(&*one.text), font)
     } else {
-        ([f64::midpoint(a, b), y - 8.0], &one.text, font.middle())
+        ([f64::midpoint(a, b), y - 8.0], Cow::from(&*one.text), font.middle())
     })
 }
 
@@ -263,8 +274,8 @@ fn upright<'a>(
     canvas.line([x, a], [x, b], &thin());
     let font = Font::new(12.0).halo();
     Some(if is_too_short([a, b], &one.text) {
-        ([x, a.min(b) - 9.0], &one.text, font.middle())
+        ([x, a.min(b) - 9.0], Cow::from(&*one.text), font.middle())
     } else {
-        ([x - 9.0, f64::midpoint(a, b)], &one.text, font.middle().turned(-90.0))
+        ([x - 9.0, f64::midpoint(a, b)], Cow::from(&*one.text), font.middle().turned(-90.0))
     })
 }

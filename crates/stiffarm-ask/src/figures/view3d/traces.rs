@@ -23,6 +23,8 @@ const MOST_TRIANGLES: usize = 50_000;
 const MOST_TICKS: f64 = 6.0;
 /// Squares of the floor, m.
 const TILE: f64 = 0.5;
+/// Beyond everything else what is kept free is shown so far, m.
+const FAR: f64 = 2.0;
 /// Half the width of a pedestal, m.
 const PEDESTAL: f64 = 0.3;
 /// How far links and rims, and above them marks, are drawn from a section they lie in, m.
@@ -221,10 +223,11 @@ impl View {
         let ends = |block: &Block, i: usize| {
             let known = || shown.iter().map(|at| at[i]).filter(|x| x.is_finite());
             // Nothing is seen below the floor.
-            let low = if i == 2 { 0.0 } else { known().fold(0.0, f64::min) - TILE };
-            let high = known().fold(0.0, f64::max) + TILE;
             let side = [block.x, block.y, block.z][i];
-            [side.min().clamp(low, high), side.max().clamp(low, high)]
+            let [low, high] = [known().fold(0.0, f64::min), known().fold(0.0, f64::max)];
+            let beyond = |end: f64| if end.is_finite() { FAR } else { TILE };
+            let least = if i == 2 { 0.0 } else { low - beyond(side.min()) };
+            [side.min().max(least), side.max().min(high + beyond(side.max()))]
         };
         let corners = |block: Block| {
             let ends = [0, 1, 2].map(|i| ends(&block, i));
