@@ -72,7 +72,8 @@ impl Look {
 }
 
 /// Words that are shown in colour.
-const VERDICTS: [(&str, AnsiColor); 6] = [
+const VERDICTS: [(&str, AnsiColor); 7] = [
+    ("pass, not sure", AnsiColor::Yellow),
     ("pass", AnsiColor::Green),
     ("fail", AnsiColor::Red),
     ("no place", AnsiColor::Red),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::answer::{Headline, Table, Tone};
+use crate::answer::{Headline, Table, Tone, tone_of};
 
 use super::{Block, Figure, Listing, Report, Section};
 use crate::answer::looks_like_a_number;
@@ -14,7 +14,7 @@ const STYLE: &str = include_str!("report.css");
 const SCRIPT: &str = include_str!("report.js");
 /// The digests of both, by which a browser knows them from anything that a name could bring in; a test computes them.
 const DIGESTS: [&str; 2] =
-    ["sha256-NRyZ/LculxbW2bS1+cHAe3VnnO8al4MHuipt7JS1jZE=", "sha256-ZQEZ2qitXVnxPRZH65+YbDurHFWJfYsUtoPPrfGv60c="];
+    ["sha256-tIBmDe/LPM/L/Oyt/SjNrIKCfmT94FE+PabDb3aBhOA=", "sha256-ZQEZ2qitXVnxPRZH65+YbDurHFWJfYsUtoPPrfGv60c="];
 /// Tables of more columns are printed smaller.
 const MANY: usize = 8;
 /// Tables of more rows may be broken over pages.
@@ -136,7 +136,11 @@ fn table(page: &mut String, Listing { table, is_sortable }: &Listing) {
 
 /// How a cell looks: numbers stand to the right, verdicts have their colour.
 fn classes_of(cell: &str, is_number: bool) -> String {
-    let verdict = ["pass", "fail"].into_iter().find(|word| cell.split([' ', ',', ':', ';']).any(|part| part == *word));
+    let verdict = tone_of(cell).map(|tone| match tone {
+        Tone::Good => "pass",
+        Tone::Bad => "fail",
+        Tone::Open | Tone::Plain => "unsure",
+    });
     let classes: Vec<&str> = is_number.then_some("number").into_iter().chain(verdict).collect();
     if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) }
 }

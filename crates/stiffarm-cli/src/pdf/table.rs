@@ -1,9 +1,9 @@
 //! A table on paper: columns as wide as they need or as there is room, rows whole, headings on every page.
 
-use stiffarm_ask::answer::Table;
+use stiffarm_ask::answer::{Table, Tone, tone_of};
 
 use super::face::Cut;
-use super::page::{BAD, Colour, FAINT, GOOD, GREY, LEFT, PROSE, Page, RIGHT, Style, WIDTH};
+use super::page::{BAD, Colour, FAINT, GOOD, GREY, LEFT, OPEN, PROSE, Page, RIGHT, Style, WIDTH};
 use stiffarm_ask::answer::looks_like_a_number;
 
 /// Sizes of the letters, points: the first with which no word is broken.
@@ -157,12 +157,12 @@ impl Laid {
 
     /// Names are grey, verdicts have their colour.
     fn colour(&self, column: usize, text: &str) -> Colour {
-        let says = |word: &str| text.split([' ', ',', ':', ';']).any(|part| part == word);
-        match () {
-            () if self.names_lines && column == 0 => GREY,
-            () if says("fail") => BAD,
-            () if says("pass") => GOOD,
-            () => PROSE,
+        match tone_of(text) {
+            _ if self.names_lines && column == 0 => GREY,
+            Some(Tone::Bad) => BAD,
+            Some(Tone::Good) => GOOD,
+            Some(Tone::Open) => OPEN,
+            Some(Tone::Plain) | None => PROSE,
         }
     }
 }
