@@ -391,7 +391,12 @@ impl Form {
         matches!(self, Self::Json | Self::Tables)
     }
 
-    /// It is looked at, so that the table is printed beside it.
+    /// It has the rows or the table of the answer, so that neither is printed beside it.
+    pub fn holds_the_answer(self) -> bool {
+        matches!(self, Self::Json | Self::Tables | Self::Csv | Self::Parquet | Self::Md | Self::Txt)
+    }
+
+    /// It is looked at.
     pub fn is_picture(self) -> bool {
         matches!(self, Self::Svg(_) | Self::Png(_) | Self::Pdf(_) | Self::View | Self::Report | Self::PrintedReport)
     }

@@ -8,7 +8,7 @@ use atomic_write_file::AtomicWriteFile;
 use stiffarm::plain::on_its_lines;
 use stiffarm_ask::answer::Rows;
 use stiffarm_ask::ask::AskError;
-use stiffarm_ask::forms::{Answer, Form, Forms};
+use stiffarm_ask::forms::{Answer, Form, Forms, Piece};
 use stiffarm_ask::sources::target::target;
 
 use crate::columns::write_parquet;
@@ -72,7 +72,7 @@ impl<'a> Outputs<'a> {
     /// answered.
     pub(crate) fn deliver(self, answer: &dyn Answer) -> Result<(), Failure> {
         let Self { common, files, job } = self;
-        let only_data_file = common.format == Format::Table && files.iter().any(|(_, form, _)| !form.is_picture());
+        let only_data_file = common.format == Format::Table && files.iter().any(|(_, form, _)| holds(answer, *form));
         let is_printed = !(only_data_file || common.quiet && !files.is_empty());
         let mut written = Vec::new();
         let mut failed: Vec<(Form, Failure)> = Vec::new();
@@ -110,6 +110,12 @@ impl<'a> Outputs<'a> {
         }
         Err(first)
     }
+}
+
+/// A file of this form has what would be printed: the answer, or its rows, or a robot file that is the answer.
+fn holds(answer: &dyn Answer, form: Form) -> bool {
+    let is_verbatim = || answer.text().iter().all(|piece| matches!(piece, Piece::Verbatim(_)));
+    form.holds_the_answer() || form == Form::RobotFile && is_verbatim()
 }
 
 /// What an answer says of what was asked, also where its reader has seen enough and gone.
