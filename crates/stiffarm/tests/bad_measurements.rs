@@ -60,6 +60,11 @@ fn every_fault_is_named_with_its_row_and_column() {
         (cell("2.2", "2000"), "t.csv:3: row 2, dy_mm: 2000; expected a number from -1000 to 1000"),
         (cell("-80", "2000"), "t.csv:3: row 2, q2_deg: 2000; expected a number from -1080 to 1080"),
         (cell("600,", ""), "t.csv:3: row 2: 11 cells; expected 12, as many as headings"),
+        // Each row has its own number, and a comma is no decimal point between commas.
+        (
+            table(HEAD, &[&format!("{},5", ROWS[0]), &format!("{},5", ROWS[1])]),
+            "t.csv:2: row 1: 13 cells; expected 12, as many as headings; decimal commas go with semicolons between the cells\nt.csv:3: row 2: 13",
+        ),
         (
             cell("fz_n", "fz"),
             "t.csv:1: fz_n: the column is missing; expected fx_n, fy_n, fz_n, the force on the load point in N; is it the column fz?",
@@ -71,7 +76,7 @@ fn every_fault_is_named_with_its_row_and_column() {
         (table(HEAD, &[ROWS[0], ROWS[1], ROWS[0]]), "t.csv:4: row 3: repeats row 1 in every number"),
         (table(HEAD, &[ROWS[0], &ROWS[0].replace("500", "400")]), "t.csv:2: 2 rows, all of one posture"),
         (table(HEAD, &[]), "t.csv:1: no row holds a measurement"),
-        (String::new(), "t.csv:1: q1_deg: the column is missing"),
+        (String::new(), "t.csv:1: the table is empty; expected a line of headings"),
         (table(&format!("{HEAD},sigma_mm"), &[&format!("{},0", ROWS[0])]), "t.csv:2: row 1, sigma_mm: is not positive"),
         (
             table(&format!("{HEAD},load_x_mm"), &[&format!("{},0", ROWS[0])]),

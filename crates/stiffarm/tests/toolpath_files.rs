@@ -482,7 +482,7 @@ fn a_unit_that_the_file_overrules_is_remarked_on() {
         ),
         (
             Format::Apt,
-            "UNITS/MM\nFROM/0,0,0\nGOTO/1,0,0\n",
+            "UNITS/MM\nFROM/0,0,0\nFEDRAT/100\nGOTO/1,0,0\n",
             "lengths in mm, as the file says, not in inch as was said (line 1)",
         ),
         (

@@ -1,5 +1,7 @@
 //! How are tables from outside cut into cells? Which sign parts them is seen from their first line; `#` begins a remark.
 
+use super::Fault;
+
 /// Reads a table with headings; rows with fewer or more cells than those are handed out.
 pub(crate) fn cells(text: &str) -> csv::Reader<&[u8]> {
     let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
@@ -12,6 +14,16 @@ pub(crate) fn cells(text: &str) -> csv::Reader<&[u8]> {
         .from_reader(text.as_bytes())
 }
 
+/// The headings of a table, and their line.
+pub(crate) fn headings(text: &str, reader: &mut csv::Reader<&[u8]>) -> Result<(usize, csv::StringRecord), Fault> {
+    let fault = |message: String| Fault { line: 1, key: String::new(), message };
+    let found = reader.headers().map_err(|error| fault(error.to_string()))?;
+    if found.iter().all(str::is_empty) {
+        return Err(fault("the table is empty; expected a line of headings, and rows below it".into()));
+    }
+    Ok((line_of(text, found.position()), found.clone()))
+}
+
 /// The line of a row, from 1: the reader's own position is where it began to look for the row, before remarks and empty lines.
 pub(crate) fn line_of(text: &str, position: Option<&csv::Position>) -> usize {
     let Some(position) = position else { return 1 };
@@ -22,7 +34,8 @@ pub(crate) fn line_of(text: &str, position: Option<&csv::Position>) -> usize {
 
 /// A row with another number of cells than there are headings.
 pub(crate) fn miscounted(row: usize, found: usize, expected: usize) -> String {
-    format!("row {row}: {found} cells; expected {expected}, as many as headings")
+    let hint = if expected < found { "; decimal commas go with semicolons between the cells" } else { "" };
+    format!("row {row}: {found} cells; expected {expected}, as many as headings{hint}")
 }
 
 #[cfg(test)]

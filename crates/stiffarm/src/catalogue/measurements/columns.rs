@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::super::Fault;
-use super::super::cells::{cells, line_of, miscounted};
+use super::super::cells::{cells, headings, line_of, miscounted};
 use super::super::reader::shown;
 
 /// Columns of tables to be filled in that say nothing of what was measured.
@@ -57,17 +57,10 @@ pub(super) struct Row {
 /// Finds the columns; `None` where there is none of some that are needed, which is a fault.
 pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Option<Table> {
     let mut reader = cells(text);
-    let headings = match reader.headers() {
-        Ok(headings) => headings.clone(),
-        Err(error) => {
-            faults.push(Fault { line: 1, key: String::new(), message: error.to_string() });
-            return None;
-        }
-    };
-    let line = line_of(text, headings.position());
-    let names: Vec<String> = headings.iter().map(str::to_ascii_lowercase).collect();
+    let (line, found) = headings(text, &mut reader).map_err(|fault| faults.push(fault)).ok()?;
+    let names: Vec<String> = found.iter().map(str::to_ascii_lowercase).collect();
     let columns = Finder { names: &names, line, is_planned, faults }.columns()?;
-    let mut rows = Vec::new();
+    let (mut rows, mut count) = (Vec::new(), 0);
     for record in reader.records() {
         let fault = |line: usize, message: String| Fault { line, key: String::new(), message };
         let record = match record {
@@ -81,8 +74,9 @@ pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Op
         if record.iter().all(str::is_empty) {
             continue;
         }
+        count += 1;
         if record.len() != names.len() {
-            faults.push(fault(line, miscounted(rows.len() + 1, record.len(), names.len())));
+            faults.push(fault(line, miscounted(count, record.len(), names.len())));
             continue;
         }
         rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });

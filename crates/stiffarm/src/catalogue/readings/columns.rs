@@ -1,7 +1,7 @@
 //! Which columns does a table of readings have?
 
 use super::super::Fault;
-use super::super::cells::{cells, line_of, miscounted};
+use super::super::cells::{cells, headings, line_of, miscounted};
 use super::super::reader::shown;
 use super::{Notation, ReadOptions};
 
@@ -41,17 +41,10 @@ impl Columns {
 /// Finds columns and rows; `None` where there is a fault.
 pub(super) fn table(text: &str, options: &ReadOptions, faults: &mut Vec<Fault>) -> Option<(Columns, Vec<Row>)> {
     let mut reader = cells(text);
-    let headings = match reader.headers() {
-        Ok(headings) => headings.clone(),
-        Err(error) => {
-            faults.push(Fault { line: 1, key: String::new(), message: error.to_string() });
-            return None;
-        }
-    };
-    let line = line_of(text, headings.position());
-    let names: Vec<String> = headings.iter().map(str::to_ascii_lowercase).collect();
+    let (line, found) = headings(text, &mut reader).map_err(|fault| faults.push(fault)).ok()?;
+    let names: Vec<String> = found.iter().map(str::to_ascii_lowercase).collect();
     let columns = Finder { names, line, options, faults }.columns()?;
-    let mut rows = Vec::new();
+    let (mut rows, mut count) = (Vec::new(), 0);
     for record in reader.records() {
         let record = match record {
             Ok(record) => record,
@@ -65,8 +58,9 @@ pub(super) fn table(text: &str, options: &ReadOptions, faults: &mut Vec<Fault>) 
         if record.iter().all(str::is_empty) {
             continue;
         }
+        count += 1;
         if record.len() != columns.names.len() {
-            let message = miscounted(rows.len() + 1, record.len(), columns.names.len());
+            let message = miscounted(count, record.len(), columns.names.len());
             faults.push(Fault { line, key: String::new(), message });
             continue;
         }
