@@ -89,6 +89,23 @@ fn a_robot_that_may_not_carry_the_tool_is_not_advised() {
     assert!(carried.contains(&true), "{carried:?}");
 }
 
+/// A path of 50 mm in windows of 40 mm and 10 m, and among what is kept free.
+#[test]
+fn why_a_path_stands_nowhere_is_named() {
+    let of = |more: &[&str]| {
+        let asked = ["mill", "line:0.05", "--robot", "KR 210 R2700 extra", "--force-n", "300", "--format", "json"];
+        let output = Command::cargo_bin("stiffarm").unwrap().args(asked).args(more).output().unwrap();
+        let answer: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        answer["reason"].as_str().unwrap_or_default().to_owned()
+    };
+    let small = of(&["--within", "1.6..1.62,-0.02..0.02,0.8..0.9"]);
+    assert!(small.contains("larger than what is allowed for it, 50.0 mm long and 0.0 mm wide"), "{small}");
+    let far = of(&["--within", "9..19,0.8..0.9"]);
+    assert!(far.contains("the window, the margins or the reach"), "{far}");
+    let full = of(&["--within", "1.2..1.8,-0.5..0.5,0.5..1", "--keep-out", "1..2,-1..1,0..1.5"]);
+    assert!(full.contains("the keep-outs, the margins"), "{full}");
+}
+
 #[test]
 fn a_table_names_every_robot_and_says_what_the_order_rests_on() {
     let output = stiffarm(&["mill", "line:0.05", "--robots", "KR 210 R2700 extra,BT200L"]);

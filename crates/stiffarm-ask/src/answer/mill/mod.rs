@@ -6,6 +6,7 @@ mod bodies;
 mod by_tool;
 mod chatter;
 mod contact;
+mod nowhere;
 mod programs;
 mod ranking;
 mod record;
@@ -235,7 +236,7 @@ impl MillAnswer {
                 Some(format!("no place was found at which the path is followed; at the best one tried: {blocked}"))
             }
             (None, Some(blocked)) => Some(blocked.to_string()),
-            (None, None) => Some("no place was found at which even the outermost samples are held: the window, the margins or the reach leave none".into()),
+            (None, None) => Some(self.nowhere()),
         }
     }
 
