@@ -122,6 +122,9 @@ impl Failure {
             Self::Dash => {
                 "without -o the answer goes to standard output; --format json, csv or md chooses its form there"
             }
+            Self::Ending { command: "mill", expected, .. } if !expected.contains(&".svg") && expected.contains(&".src") => {
+                "of several tools at once there are tables and programs of robots; --only-tool asks for one of them, with figure, report and view"
+            }
             Self::Ending { .. } => "the ending of the name chooses what is written",
             Self::Twice(_) => "give each output a name of its own",
             Self::Ledger(_) => "the tables are compiled in: this is a fault of the program, please report it",

@@ -106,6 +106,7 @@ def test_who_mills_must_be_clear() -> None:
             stiffarm.mill("line:0.1", **given)  # type: ignore[call-overload]
 
 
+@pytest.mark.filterwarnings("ignore:.*is read by controllers of")
 def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
     """As the program writes them, at the place that the answer gives."""
     import os

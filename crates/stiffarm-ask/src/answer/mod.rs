@@ -52,7 +52,7 @@ pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use cutting::CuttingAnswer;
 pub use field::{Field, Kind, Unit};
-pub use headline::{Headline, Outcome, Tone};
+pub use headline::{Headline, Outcome, Tone, tone_of};
 pub use identify::IdentifyAnswer;
 pub use layout::{Dimension, Layout};
 pub use ledger::LedgerAnswer;
@@ -72,7 +72,7 @@ pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
 pub use styles::{RobotStyle, styles};
 pub use tip::TipFile;
-pub use verdict::{HOLDS, ON_TOP, SURE, Verdict, tone_of};
+pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
 pub use verify::{VerifyAnswer, VerifyRankAnswer};
 
 /// Keys in the order in which they are written.

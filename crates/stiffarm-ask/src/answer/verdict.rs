@@ -1,7 +1,7 @@
 //! Is a tolerance held, how sure is that, and what does it mean?
 
 use super::words::fixed;
-use super::{Record, Tone, Unit, field};
+use super::{Record, Unit, field};
 
 /// With this probability or more a tolerance that is held nominally is held.
 pub const SURE: f64 = 0.95;
@@ -86,17 +86,6 @@ impl Verdict {
     pub(super) fn short(self) -> String {
         let probability = self.probability.map_or_else(String::new, |known| format!(", P {}", percent(known)));
         format!("{} {:+.3}{probability}", self.word(), self.margin_mm)
-    }
-}
-
-/// How the verdict in a text sounds, where one stands in it.
-pub fn tone_of(text: &str) -> Option<Tone> {
-    let says = |word: &str| text.split([' ', ',', ':', ';']).any(|part| part == word);
-    match () {
-        () if says("fail") => Some(Tone::Bad),
-        () if text.contains("pass, not sure") => Some(Tone::Open),
-        () if says("pass") => Some(Tone::Good),
-        () => None,
     }
 }
 

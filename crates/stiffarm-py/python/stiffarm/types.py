@@ -1890,6 +1890,30 @@ class PathRankingRow(_Pass):
     drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
 
+    payload_kg: float | None
+    """Nominal payload."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+
+    overloaded: bool | None
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
+
+    wrist_moment_nm: list[float] | None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was given, and in the spatial model of the force at the tool tip."""
+
+    wrist_limit_nm: list[float] | None
+    """The largest that are allowed; null where the robot file has none."""
+
+    wrist_limit_by: str | None
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
+
+    wrist_exceeded: bool | None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
+
     rank: int | None
     """One more than the robots that are certainly better, their values below its bound; none for a robot that is
     estimated, or of which nothing is known."""

@@ -98,6 +98,17 @@ impl Outcome {
     }
 }
 
+/// How the verdict in a text sounds, where one stands in it.
+pub fn tone_of(text: &str) -> Option<Tone> {
+    let says = |word: &str| text.split([' ', ',', ':', ';']).any(|part| part == word);
+    match () {
+        () if says("fail") => Some(Tone::Bad),
+        () if text.contains("pass, not sure") => Some(Tone::Open),
+        () if says("pass") => Some(Tone::Good),
+        () => None,
+    }
+}
+
 /// The answer as a manager reads it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Headline {
