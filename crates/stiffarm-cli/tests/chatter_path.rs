@@ -121,11 +121,11 @@ fn the_answer_names_the_worst_line_what_is_not_covered_and_what_is_not_known() {
     // In parts of the cut; a cut far deeper than the interval allows is refused by --check alone.
     let (reserve, depth) = (found["depth_reserve"].as_f64(), found["cut_depth_mm"].as_f64().expect("a depth"));
     assert!((reserve.expect("a number") * depth / least - 1.0).abs() < 1e-12);
-    let deep = fs::read_to_string(PROCESS).expect("the example").replace("ap_mm = 3", "ap_mm = 250");
+    let deep = fs::read_to_string(PROCESS).expect("the example").replace("ap_mm = 3", "ap_mm = 150");
     fs::write(folder.path().join("deep.toml"), deep).expect("written");
     let deep = ["mill", "part.nc", "--process", "deep.toml", "--at", MILL[5], "--chatter", "--check"];
     let (code, _, err) = run(folder.path(), &[&deep, &ROBOT, &TOOL, &HELD]);
-    assert!(code == Some(3) && err.contains("a cut of 250.000 mm, line") && err.contains("swings from"), "{err}");
+    assert!(code == Some(3) && err.contains("a cut of 150.000 mm, line") && err.contains("swings from"), "{err}");
     // Without the option nothing is reported of it.
     let without = json(folder.path(), &[&MILL, &ROBOT, &TOOL]);
     assert!(without["chatter"].is_null());

@@ -18,6 +18,9 @@ const FLUTE: Quantity = Quantity { unit: "mm", min: 0.05, max: 500.0, suspect: N
 const HELIX: Quantity = Quantity { unit: "deg", min: 0.0, max: 75.0, suspect: None };
 const DEPTH: Quantity = Quantity { unit: "mm", min: 1e-3, max: 500.0, suspect: None };
 const FEED: Quantity = Quantity { unit: "mm", min: 1e-5, max: 20.0, suspect: None };
+/// No mill cuts deeper, or is fed faster, in parts of its diameter.
+const MOST_DEEP: f64 = 10.0;
+const MOST_FED: f64 = 0.25;
 const CHIP: Quantity = Quantity { unit: "N/mm2", min: -1e5, max: 1e5, suspect: None };
 const SPECIFIC: Quantity = Quantity { unit: "N/mm2", min: 1.0, max: 1e5, suspect: None };
 const RUBBING: Quantity = Quantity { unit: "N/mm", min: -1e4, max: 1e4, suspect: None };
@@ -293,6 +296,16 @@ fn milling(
             );
         }
     }
+    if let Some(diameter) = diameter {
+        for (key, given, most, what) in [
+            ("ap_mm", depth, MOST_DEEP * diameter, "ten diameters deep"),
+            ("feed_per_tooth_mm", feed, MOST_FED * diameter, "a quarter of the diameter a tooth"),
+        ] {
+            if let Some(mm) = given.filter(|mm| most < *mm) {
+                cut.fault(key, format!("{mm} mm with a tool of {diameter} mm; expected at most {what}, {most} mm"));
+            }
+        }
+    }
     cut.finish(&[]);
     let (diameter, depth, side, width, feed) = (diameter? * 1e-3, depth? * 1e-3, side?, width? * 1e-3, feed? * 1e-3);
     let [entry, exit] = Engagement::angles(side, width, diameter);
@@ -355,6 +368,8 @@ mod tests {
             (GOOD.replace("teeth = 4", "teeth = 4\nshank_mm = 20\nflute_mm = 1.5"), "engagement.ap_mm: 2 mm is deeper than the flutes reach, 1.5 mm"),
             (GOOD.replace("teeth = 4", "teeth = 4\nshank_mm = 20\nflute_mm = -3"), "tool.flute_mm: -3 mm; expected"),
             (GOOD.replace("ap_mm = 2", "ap_mm = -2"), "engagement.ap_mm: -2 mm; expected"),
+            (GOOD.replace("ap_mm = 2", "ap_mm = 400"), "engagement.ap_mm: 400 mm with a tool of"),
+            (GOOD.replace("feed_per_tooth_mm = 0.1", "feed_per_tooth_mm = 10"), "engagement.feed_per_tooth_mm: 10 mm with a tool of"),
             (GOOD.replace("ap_mm = 2", "ap_mm = 2\nae_mm = 20"), "engagement.ae_mm: 20 mm is wider than the tool"),
             (GOOD.replace("ap_mm = 2", "ap_mm = 2\nae_mm = 3"), "3 mm is no slot"),
             (GOOD.replace("\"slot\"", "\"left\""), "engagement.side: \"left\" is not known; expected \"up\""),
@@ -363,7 +378,7 @@ mod tests {
             ("[constant]\nfeed_n = 1e6\nacross_n = 0\naxial_n = 0".into(), "p:2: constant.feed_n: 1000000 N; expected"),
             ("[constant]\nfeed_n = nan\nacross_n = 0\naxial_n = 0".into(), "constant.feed_n: NaN N"),
             ("[worst]\nforce_n = 0".into(), "worst.force_n: 0 N"),
-            (GOOD.replace("ap_mm = 2", "ap_mm = 500").replace("preset = \"al7075-t6\"", "ktc_n_per_mm2 = 1e5\nkrc_n_per_mm2 = 0\nkac_n_per_mm2 = 0\nkte_n_per_mm = 1e4\nkre_n_per_mm = 0\nkae_n_per_mm = 0"), "N; expected at most 1e6 N"),
+            (GOOD.replace("ap_mm = 2", "ap_mm = 160").replace("preset = \"al7075-t6\"", "ktc_n_per_mm2 = 1e5\nkrc_n_per_mm2 = 0\nkac_n_per_mm2 = 0\nkte_n_per_mm = 1e4\nkre_n_per_mm = 0\nkae_n_per_mm = 0"), "N; expected at most 1e6 N"),
             ("rotation = \"up\"\n[worst]\nforce_n = 1".into(), "rotation: \"up\" is not known"),
             ("a = [".into(), "p:1: "),
         ] {

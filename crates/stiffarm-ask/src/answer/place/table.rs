@@ -40,7 +40,9 @@ impl PlaceAnswer {
             lines.push(line("fixed to the base", "its centre straight ahead, and nowhere else about the joint-1 axis"));
         }
         lines.extend(self.allowed_lines());
-        lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));
+        // In a cell other lines stand between.
+        let kept_by = if options.cell.is_some() { "the work keeps" } else { "" };
+        lines.extend(margins::column(&options.margins, robot).map(|kept| line(kept_by, kept)));
         lines.push(line("margins", margins::angles(&options.margins)));
         match placed {
             Placed::Feasible(best) => lines.extend(self.lines(best)),
@@ -73,7 +75,7 @@ impl PlaceAnswer {
             }
             Some(cell) => {
                 let lines = cell_report::lines(&cell, &options.within(model)).into_iter();
-                lines.chain(cell_report::proof(&cell)).collect()
+                lines.chain(cell_report::proof(&cell).filter(|_| self.placed.feasible().is_some())).collect()
             }
         }
     }
