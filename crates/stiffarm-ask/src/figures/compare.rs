@@ -13,7 +13,7 @@ const BAR: f64 = 112.0;
 /// Left and right of a diagram in its panel, px.
 const ROOM: [f64; 2] = [66.0, 12.0];
 /// Lines of words above a panel, at most.
-const LINES: usize = 5;
+const LINES: usize = 8;
 /// Their distance, px.
 const LINE: f64 = 15.0;
 

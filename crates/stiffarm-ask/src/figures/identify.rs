@@ -164,7 +164,7 @@ fn fit(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
             canvas.circle(frame.at(fitted, measured), 2.6, &format!(r#"fill="{DEFLECTION}" fill-opacity="0.6""#));
         }
     }
-    frame.draw(canvas, "fitted mm", "measured mm");
+    frame.draw(canvas, "fitted [mm]", "measured [mm]");
     frame.headline(canvas, "x, y and z of every row");
 }
 

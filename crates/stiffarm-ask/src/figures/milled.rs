@@ -66,7 +66,7 @@ impl MilledFigure<'_> {
         canvas.tell_box("rolls", [[left, top_of_rolls], [right, bottom]], [way.from, way.to]);
         self.map(&mut canvas, found, &rolls, &bands);
         let right = room[1];
-        bands.bar(&mut canvas, [right + 26.0, top + ROLLS - 16.0], [right + 44.0, top + 16.0], "error mm");
+        bands.bar(&mut canvas, [right + 26.0, top + ROLLS - 16.0], [right + 44.0, top + 16.0], "error [mm]");
         let top = top + ROLLS + BELOW;
         let bottom = self.above(&mut canvas, found, (room, top), &bands);
         let legend = Legend::new(self.entries(), canvas.width - 80.0, 4);
@@ -116,7 +116,7 @@ impl MilledFigure<'_> {
         let station = &self.answer.stations[found.worst.1];
         canvas.circle(frame.at(station.sample.way * 1e3, found.worst.0 * 1e3), 4.0, &format!(r#"fill="{ALARM}""#));
         self.tell(canvas, found, &frame);
-        frame.draw(canvas, "way along the path mm", "error mm");
+        frame.draw(canvas, "way along the path [mm]", "error [mm]");
         frame.headline(canvas, "error along the path");
     }
 
@@ -213,7 +213,7 @@ impl MilledFigure<'_> {
                 canvas.circle(frame.at(way, roll), PIN, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#));
             });
         }
-        frame.draw(canvas, "way along the path mm", "roll deg");
+        frame.draw(canvas, "way along the path [mm]", "roll [deg]");
         frame.headline(canvas, "every roll of the tool, and that which is taken");
     }
 
@@ -265,7 +265,7 @@ impl MilledFigure<'_> {
         draw(canvas, &line, line.0 == "rapid");
         let [wx, wy] = tips[found.worst.1];
         canvas.circle(frame.at(wx, wy), 4.0, &format!(r#"fill="{ALARM}""#));
-        frame.draw(canvas, "x of the part mm", "y of the part mm");
+        frame.draw(canvas, "x of the part [mm]", "y of the part [mm]");
         frame.headline(canvas, "seen from above, by the error");
         top + scale * high
     }

@@ -3,7 +3,7 @@
 use super::super::fixed;
 use super::MillAnswer;
 use nalgebra::Vector3;
-use stiffarm::cell::Window;
+use stiffarm::cell::{Cell, Window};
 use stiffarm::interval::Interval;
 
 /// Turns at which a path is measured.
@@ -42,7 +42,7 @@ impl MillAnswer {
         let all: Vec<Vector3<f64>> = (0..TURNS).map(|i| extents((i as f64).to_radians())).collect();
         let has_room = |range: Interval, extent: f64| extent <= range.width() + 1e-9;
         let fits = |room: [Interval; 3]| all.iter().any(|extent| (0..3).all(|i| has_room(room[i], extent[i])));
-        let windows = self.ground.cell.iter().flat_map(|cell| cell.windows()).map(|window| match window {
+        let windows = self.ground.cell.iter().flat_map(Cell::windows).map(|window| match window {
             Window::Block(block) => [block.x, block.y, block.z],
             // As far aside as it likes.
             Window::Ring { ahead, z } => [ahead, Interval::ALL, z],
