@@ -151,6 +151,47 @@ fn a_tool_is_compared_with_the_payload() {
     }
 }
 
+/// What a calibration leaves stands beside the deflection: together they keep the tolerance, or it is not sure.
+#[test]
+fn what_a_calibration_leaves_counts_in_the_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("calibrated.toml").to_string_lossy().into_owned();
+    let calibrated =
+        ["calibrate", KUKA, "docs/examples/tracker.csv", "--level", "zeros", "--controller-model", "nominal"];
+    let (code, _, said) = run(&[&calibrated[..], &["-o", &file]].concat());
+    assert_eq!(code, 0, "{said}");
+    let of = |tolerance: f64| {
+        let tolerance = tolerance.to_string();
+        json(&[
+            "mill",
+            "line:0.1",
+            "--robot",
+            &file,
+            "--tool",
+            "spindle:250@90",
+            "--force-n",
+            "100,50,50",
+            "--at",
+            "1.7,0,0.8",
+            "--stiffness-uncertainty",
+            "0.01",
+            "--compensate",
+            "--tolerance-mm",
+            &tolerance,
+        ])
+    };
+    let found = of(5.0);
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let (median, left) =
+        (number(&found["compensation"]["left_median_mm"]), number(&found["true_arm"]["calibration_left_mm"]));
+    assert!(0.01 < left && found["arm_error"].is_null(), "{median} {left}");
+    for (tolerance, verdict) in [(median + 0.9 * left, "pass, not sure"), (median + 1.1 * left, "pass")] {
+        let found = &of(tolerance)["compensation"];
+        assert!(0.95 <= number(&found["probability"]), "{found}");
+        assert_eq!(found["verdict"], verdict, "{tolerance}: {median} {left}");
+    }
+}
+
 /// 400 kg on a robot that is sold for 210 kg: no face says that it passes, and the program that is written for it says why.
 #[test]
 fn a_path_that_overloads_its_arm_does_not_pass() {
