@@ -156,14 +156,16 @@ impl<'a> Teeth<'a> {
         }
     }
 
-    /// `exp` over `time` of the motion under `a A`, and what a displacement that stands still a tooth earlier adds.
+    /// `exp` over `time` of the motion under `a A`, and what a displacement that stands still a tooth earlier adds. Speeds are in parts of the fastest
+    /// mode: positions and speeds are of one size then, which takes a third of the squarings.
     fn step(&self, factors: &Matrix3x2<f64>, depth: f64, time: f64) -> (DMatrix<f64>, DMatrix<f64>) {
         let n = self.motion.own.len();
-        let push = self.motion.tip.transpose() * factors * depth;
+        let fastest = self.fastest();
+        let push = self.motion.tip.transpose() * factors * (depth / fastest);
         let mut rate = DMatrix::zeros(2 * n + 2, 2 * n + 2);
-        rate.view_mut((0, n), (n, n)).fill_with_identity();
+        rate.view_mut((0, n), (n, n)).fill_diagonal(fastest);
         let mut held = &push * self.motion.tip.rows(0, 2);
-        (0..n).for_each(|i| held[(i, i)] -= self.motion.own[i].powi(2));
+        (0..n).for_each(|i| held[(i, i)] -= self.motion.own[i].powi(2) / fastest);
         rate.view_mut((n, 0), (n, n)).copy_from(&held);
         rate.view_mut((n, n), (n, n)).copy_from(&-&self.motion.friction);
         rate.view_mut((n, 2 * n), (n, 2)).copy_from(&-push);
