@@ -8,6 +8,7 @@ use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, Pendant, ThirdAxis, Verified};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
+use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm_ask::answer::robot::{data_sheet, lengths, rounded};
 use stiffarm_ask::answer::words::{architecture, assumed_architecture, class, status};
@@ -59,6 +60,12 @@ impl DataSheet {
             }));
         }
         rows.push(("stiffness".into(), stiffness(robot)));
+        // What every answer in space takes where nothing else is asked; none of a robot whose size is not known.
+        if robot.stiffness_is_assumed
+            && let Ok(known) = with_prior(robot)
+        {
+            rows.push(("stiffness in space".into(), stiffness(&known)));
+        }
         if let Ok(plane) = robot.two_links() {
             rows.extend(plane_rows(&plane.arm));
         }

@@ -93,5 +93,5 @@ pub(super) fn sentence(line: &str) -> String {
     let mut letters = line.trim().chars();
     let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
     let text = first + letters.as_str();
-    if text.ends_with('.') { text } else { text + "." }
+    if text.ends_with(['.', '?', '!']) { text } else { text + "." }
 }
