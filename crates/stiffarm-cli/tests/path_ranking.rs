@@ -70,6 +70,12 @@ fn a_robot_that_may_not_carry_the_tool_is_not_advised() {
         "{summary}"
     );
     assert!(!summary.contains("is held by"), "{summary}");
+    let folder = tempfile::tempdir().unwrap();
+    let report = folder.path().join("report.html");
+    let table = String::from_utf8(stiffarm(&[&heavy[..], &["-o", report.to_str().unwrap()]].concat()).stdout).unwrap();
+    let page = std::fs::read_to_string(&report).unwrap();
+    assert!(page.contains("<strong class=\"word\">load exceeded</strong>"));
+    assert!(table.contains("LOAD EXCEEDED") && !table.contains(" pass"), "{table}");
     assert_eq!(stiffarm(&[&heavy[..], &["--check"]].concat()).status.code(), Some(3));
     assert_eq!(stiffarm(&[&asked[..], &["--check"]].concat()).status.code(), Some(0));
     // What carries it is named alone, although another gives way less.

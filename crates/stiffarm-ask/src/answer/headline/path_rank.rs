@@ -27,7 +27,9 @@ impl PathRankAnswer {
     }
 
     fn outcome(&self) -> Outcome {
-        let Some((best, rivals)) = self.best() else { return Outcome::NoPlace };
+        let Some((best, rivals)) = self.best() else {
+            return if self.overloads().next().is_some() { Outcome::Overloaded } else { Outcome::NoPlace };
+        };
         if self.shortfall().is_some() {
             return Outcome::Fails;
         }

@@ -216,7 +216,7 @@ impl MillAnswer {
     }
 
     /// More than the robot may carry.
-    pub(super) fn overload_sentence(&self) -> Option<String> {
+    pub(crate) fn overload_sentence(&self) -> Option<String> {
         let exceeded = self.carried().exceeded()?;
         Some(format!("{} may not carry this: {exceeded}.", self.robot.full_name()))
     }

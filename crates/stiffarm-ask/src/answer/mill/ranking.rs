@@ -223,7 +223,7 @@ impl PathRankAnswer {
     }
 
     /// Robots that follow the path and may not carry what they hold.
-    fn overloads(&self) -> impl Iterator<Item = String> {
+    pub(in crate::answer) fn overloads(&self) -> impl Iterator<Item = String> {
         self.milled().filter(|milled| clear(milled).is_some()).filter_map(MillAnswer::overload_sentence)
     }
 
@@ -383,7 +383,7 @@ impl PathRow {
             return nothing();
         };
         let mm = |metres: f64| fixed(metres * 1e3, 3);
-        let is_rival = self.standing.rank.is_some_and(|rank| rank.place == 1);
+        let is_rival = self.is_candidate() && self.standing.rank.is_some_and(|rank| rank.place == 1);
         let mark = if is_best {
             "*"
         } else if is_rival {
@@ -391,7 +391,11 @@ impl PathRow {
         } else {
             ""
         };
-        let verdict = milled.verdict().map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
+        let verdict = match milled.verdict() {
+            _ if self.is_overloaded() => " LOAD EXCEEDED".into(),
+            Some(verdict) => format!(" {}", verdict.short()),
+            None => String::new(),
+        };
         // As `mill --at` takes it.
         let (at, yaw) = match milled.ground.cell {
             Some(_) => (placement.at, Some(placement.yaw)),

@@ -36,7 +36,11 @@ impl PathRankOutput<'_> {
                 intervals: vec![row.milled.as_ref().ok().and_then(MillAnswer::spread).map(|spread| {
                     [spread.p05, spread.median, spread.p95].map(|metres| Unit::Millimetre.of_si(metres))
                 })],
-                verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::in_words)],
+                verdicts: vec![
+                    row.milled.as_ref().ok().and_then(|milled| {
+                        milled.overload_sentence().or_else(|| milled.verdict().map(Verdict::in_words))
+                    }),
+                ],
                 collides: vec![row.milled.as_ref().ok().and_then(MillAnswer::deepest).is_some()],
                 values: vec![
                     row.proved()
