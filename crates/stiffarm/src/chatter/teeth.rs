@@ -157,7 +157,7 @@ impl<'a> Teeth<'a> {
     }
 
     /// `exp` over `time` of the motion under `a A`, and what a displacement that stands still a tooth earlier adds. Speeds are in parts of the fastest
-    /// mode: positions and speeds are of one size then, which takes a third of the squarings.
+    /// mode: positions and speeds are of one size then, which takes fewer squarings.
     fn step(&self, factors: &Matrix3x2<f64>, depth: f64, time: f64) -> (DMatrix<f64>, DMatrix<f64>) {
         let n = self.motion.own.len();
         let fastest = self.fastest();

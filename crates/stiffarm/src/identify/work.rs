@@ -485,6 +485,7 @@ fn turned(load: &Vector6<f64>, axes: Axes, bent: &Bent) -> Vector6<f64> {
         }
     }
 }
+
 /// All drives that are identified give way so many times as much, or as little, as those of robots of this size: a unit is more likely than such a robot.
 fn unlike_its_size(robot: &Robot, estimates: &[Estimate]) -> Option<String> {
     const LEAST: usize = 3;
