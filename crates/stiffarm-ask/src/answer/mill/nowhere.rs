@@ -39,9 +39,13 @@ impl MillAnswer {
             });
             ends[1] - ends[0]
         };
-        let all: Vec<Vector3<f64>> = (0..TURNS).map(|i| extents((i as f64).to_radians())).collect();
-        let has_room = |range: Interval, extent: f64| extent <= range.width() + 1e-9;
-        let fits = |room: [Interval; 3]| all.iter().any(|extent| (0..3).all(|i| has_room(room[i], extent[i])));
+        let turns = || (0..TURNS).map(|i| extents((i as f64).to_radians()));
+        // Between the turns that are measured it may be narrower by so much.
+        let slack = extents(0.0).xy().norm() * 0.5_f64.to_radians();
+        let has_room = |range: Interval, extent: f64, slack: f64| extent <= range.width() + slack;
+        let fits = |room: [Interval; 3]| {
+            turns().any(|extent| (0..3).all(|i| has_room(room[i], extent[i], if i == 2 { 1e-9 } else { slack })))
+        };
         let windows = self.ground.cell.iter().flat_map(Cell::windows).map(|window| match window {
             Window::Block(block) => [block.x, block.y, block.z],
             // As far aside as it likes.
@@ -52,7 +56,7 @@ impl MillAnswer {
         if rooms.is_empty() || rooms.into_iter().any(fits) {
             return None;
         }
-        let narrowest = all.into_iter().min_by(|a, b| a.xy().min().total_cmp(&b.xy().min()))?;
+        let narrowest = turns().min_by(|a, b| a.xy().min().total_cmp(&b.xy().min()))?;
         Some([narrowest.xy().max(), narrowest.xy().min(), narrowest.z])
     }
 }
