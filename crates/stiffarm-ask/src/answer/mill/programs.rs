@@ -130,7 +130,8 @@ impl MillAnswer {
         output: &mut dyn Write,
     ) -> Result<Rewritten, MillAnswerError> {
         if self.compensation.is_none() {
-            return Err(MillAnswerError::NoProgram("without --compensate the path stays as it is".into()));
+            let stays = || "without --compensate the path stays as it is".into();
+            return Err(MillAnswerError::NoProgram(self.reason().unwrap_or_else(stays)));
         }
         self.check_commanded()?;
         let arm = TrueArm::of(&self.robot);
