@@ -156,6 +156,11 @@ impl Carried {
         (!exceeded.is_empty()).then(|| exceeded.join("; "))
     }
 
+    /// That a robot may not carry it, where that is so.
+    pub(super) fn forbidden(self, robot: &Robot) -> Option<String> {
+        Some(format!("{} may not carry this: {}.", robot.full_name(), self.exceeded()?))
+    }
+
     /// As fields.
     pub(super) fn put(self, record: &mut Record) {
         let limits = self.wrist.and_then(|wrist| wrist.limits);

@@ -65,11 +65,6 @@ impl Verdict {
         }
     }
 
-    /// `pass` or `fail`, at the nominal stiffness.
-    pub const fn nominal(self) -> &'static str {
-        if self.passes { "pass" } else { "fail" }
-    }
-
     /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`.
     pub fn in_words(self) -> String {
         match self.probability {
@@ -125,7 +120,6 @@ mod tests {
             assert_eq!((verdict.word(), verdict.in_words().as_str()), (word, expected));
         }
         assert_eq!(Verdict::of(1.8e-3, 2.0).with(Some(0.97)).short(), "pass +0.200, P 97 %");
-        assert_eq!(Verdict::of(1.8e-3, 2.0).nominal(), "pass");
     }
 
     /// By hand: 1 arc minute is 1/60 deg; a cantilever bends by F L^3 / (3 E I), with I = pi d^4 / 64.

@@ -78,8 +78,7 @@ impl PlaceAnswer {
 
     /// More than the robot may carry.
     fn overloaded(&self) -> Option<(Outcome, Vec<String>)> {
-        let exceeded = self.carried().exceeded()?;
-        Some((Outcome::Overloaded, vec![format!("{} may not carry this: {exceeded}.", self.robot.full_name())]))
+        Some((Outcome::Overloaded, vec![self.carried().forbidden(&self.robot)?]))
     }
 }
 

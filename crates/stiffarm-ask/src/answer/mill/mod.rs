@@ -217,8 +217,7 @@ impl MillAnswer {
 
     /// More than the robot may carry.
     pub(crate) fn overload_sentence(&self) -> Option<String> {
-        let exceeded = self.carried().exceeded()?;
-        Some(format!("{} may not carry this: {exceeded}.", self.robot.full_name()))
+        self.carried().forbidden(&self.robot)
     }
 
     fn blocked(&self) -> Option<&Blocked> {
