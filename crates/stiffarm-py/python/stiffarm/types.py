@@ -14,185 +14,6 @@ import numpy.typing as npt
 from ._given import RangeLike
 
 
-class RobotsOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.robots`."""
-
-    vendor: str | Iterable[str] | None
-    """Only robots of these makers, separated by commas."""
-
-    payload_kg: RangeLike | None
-    """Only robots with a payload in this range [kg]: A..B; either end may be left open."""
-
-    reach_m: RangeLike | None
-    """Only robots with a reach in this range [m]: A..B; either end may be left open."""
-
-    architecture: Literal["serial", "quasi-serial"] | None
-    """Only robots of this architecture: serial or quasi-serial."""
-
-    status: str | Iterable[Literal["identified", "data-sheet", "derived", "estimated"]] | None
-    """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
-
-
-class ComplianceOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.compliance`."""
-
-    force_cone_deg: float | None
-    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
-    it [default: 0]."""
-
-    component: Literal["total", "normal", "along"]
-    """What of the displacement counts."""
-
-    force_n: float | npt.ArrayLike | None
-    """Force at the tool point [N]: x,y,z in base axes, or its size, in its worst direction."""
-
-    force_axes: Literal["base", "tool"] | None
-    """Along which axes a force of three numbers points [default: base]."""
-
-    feed_deg: float | None
-    """Direction of the feed of a force along tool axes [deg], from the tool's x axis, counter-clockwise seen
-    from the spindle [default: the worst of all directions]."""
-
-    tool_mm: npt.ArrayLike | None
-    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
-    centre]."""
-
-    tool: str | None
-    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
-    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
-
-    stiffness: Literal["paper", "prior", "file"] | None
-    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
-
-    drive_urad_per_nm: npt.ArrayLike | None
-    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as --stiffness says]."""
-
-    stiffness_nm_per_rad: npt.ArrayLike | None
-    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
-
-
-class PlaceOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.place`."""
-
-    faces: str | Iterable[str] | None
-    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
-    turned [default: all: of a box top, front, left, back, right]."""
-
-    tolerance_mm: float | None
-    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
-
-    tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
-
-    tool_com_mm: npt.ArrayLike | None
-    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
-
-    force_n: float | npt.ArrayLike
-    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
-    (away from the work), in the planar model ahead,0,up."""
-
-    process: str | os.PathLike[str] | None
-    """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
-    across and axial; its moment is left out."""
-
-    force_axes: Literal["base", "tool"] | None
-    """Along which axes a force of three numbers points [default: tool]."""
-
-    feed_deg: float | None
-    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
-    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
-
-    direction_deg: float | None
-    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
-    in every point] [planar model only]."""
-
-    force_cone_deg: float | None
-    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
-    it [default: 0]."""
-
-    component: Literal["total", "normal", "along"]
-    """What of the displacement counts."""
-
-    at: npt.ArrayLike | None
-    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
-    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
-    [default: the best place within --within]."""
-
-    within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
-    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
-    [default: in front of the joint-1 axis, above the floor]."""
-
-    limit_margin_deg: float | None
-    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
-
-    singular_margin_deg: float | None
-    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
-
-    clear_of_base_m: float | None
-    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
-    + l3)]."""
-
-    floor_m: str | float | None
-    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
-    unless --within says how low the zone may stand]."""
-
-    angle: str | float
-    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
-    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
-
-    gap: float | None
-    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
-
-    stiffness: Literal["paper", "prior", "file"] | None
-    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
-    and prior in space]."""
-
-    drive_urad_per_nm: npt.ArrayLike | None
-    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as --stiffness says]."""
-
-    stiffness_nm_per_rad: npt.ArrayLike | None
-    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
-
-    model: Literal["planar", "spatial"]
-    """Which model."""
-
-    tool_mm: npt.ArrayLike | None
-    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
-    [default: the flange]."""
-
-    tool: str | None
-    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
-    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
-
-    tool_direction: str | float | None
-    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
-
-    yaw_deg: str | float | None
-    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
-
-    roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
-
-    mount: str | None
-    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
-    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
-
-    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What neither work nor arm may touch (with --allow-contact the work alone) [m]: x0..x1,y0..y1,z0..z1 in the
-    cell; several with ; between, or given several times."""
-
-    clearance_mm: float | None
-    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: 0 with --keep-out; else reported, none required]."""
-
-    allow_contact: bool
-    """Take the best place of the work although the arm may touch something there."""
-
-
 class RankOptions(TypedDict, total=False):
     """Keywords of `stiffarm.rank`."""
 
@@ -329,6 +150,127 @@ class RankOptions(TypedDict, total=False):
     """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
 
 
+class PlaceOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.place`."""
+
+    faces: str | Iterable[str] | None
+    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
+    turned [default: all: of a box top, front, left, back, right]."""
+
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg]: compared with the robot's payload, together with the force."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    force_n: float | npt.ArrayLike
+    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
+    (away from the work), in the planar model ahead,0,up."""
+
+    process: str | os.PathLike[str] | None
+    """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
+    across and axial; its moment is left out."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
+
+    at: npt.ArrayLike | None
+    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
+    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
+    [default: the best place within --within]."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
+
+    angle: str | float
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What neither work nor arm may touch (with --allow-contact the work alone) [m]: x0..x1,y0..y1,z0..z1 in the
+    cell; several with ; between, or given several times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: 0 with --keep-out; else reported, none required]."""
+
+    allow_contact: bool
+    """Take the best place of the work although the arm may touch something there."""
+
+
 class MapOptions(TypedDict, total=False):
     """Keywords of `stiffarm.map`."""
 
@@ -445,6 +387,171 @@ class MapOptions(TypedDict, total=False):
     tool_inertia_kg_m2: npt.ArrayLike | None
     """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
     has them [default: none: a point mass]."""
+
+
+class ComplianceOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.compliance`."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
+
+    force_n: float | npt.ArrayLike | None
+    """Force at the tool point [N]: x,y,z in base axes, or its size, in its worst direction."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: base]."""
+
+    feed_deg: float | None
+    """Direction of the feed of a force along tool axes [deg], from the tool's x axis, counter-clockwise seen
+    from the spindle [default: the worst of all directions]."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
+    centre]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+
+class ModesOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.modes`."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
+
+    angle: str | float
+    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
+    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
+    its first side."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
+    centre]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    task: str | None
+    """Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the
+    least and the largest frequencies, and a proved least first frequency."""
+
+    at: npt.ArrayLike | None
+    """The place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above it;
+    of a rectangle with --angle 0 unless another is given."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: 0]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the
+    stiffest]."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
+    that weighs nothing]."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    tool_inertia_kg_m2: npt.ArrayLike | None
+    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
+    has them [default: none: a point mass]."""
+
+    damping_ratio: float | None
+    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
+    robot file has it of the drives, else 0.03]."""
+
+    count: int
+    """How many modes are reported, the lowest first."""
+
+
+class ChatterOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.chatter`."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
+    centre]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
+    that weighs nothing]."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    tool_inertia_kg_m2: npt.ArrayLike | None
+    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
+    has them [default: none: a point mass]."""
+
+    damping_ratio: float | None
+    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
+    robot file has it of the drives, else 0.03]."""
+
+    method: Literal["mean", "teeth"] | None
+    """How teeth are counted [default: teeth where each cuts for half of the time or less and passes slowly, else
+    mean]."""
+
+    frf: str | os.PathLike[str] | None
+    """How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im ..
+    gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux,
+    uy, uz [default: spindle, holder and cutter are rigid]."""
+
+    frf_on: Literal["rigid", "robot"] | None
+    """What held the tip while it was measured."""
 
 
 class StudyOptions(TypedDict, total=False):
@@ -596,296 +703,6 @@ class CompareOptions(TypedDict, total=False):
 
     allow_contact: bool
     """Take the best place of the work although the arm may touch something there."""
-
-
-class IdentifyOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.identify`."""
-
-    load_mm: npt.ArrayLike | None
-    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
-    centre]."""
-
-    marker_mm: str | Iterable[str] | None
-    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
-    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
-
-    force_axes: Literal["base", "flange"]
-    """Along which axes the forces and moments point."""
-
-    displacement_axes: Literal["base", "flange"]
-    """Along which axes the displacements point."""
-
-    fit: Literal["least-squares", "huber"]
-    """How the compliances are estimated."""
-
-    model: Literal["drives", "base", "tool", "base-and-tool", "compensator", "compensator-and-preload", "regions", "auto"]
-    """What is taken to spring."""
-
-    regions: int
-    """In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model
-    "regions"."""
-
-    prior: bool
-    """Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot
-    file has the posterior; drives that the rows do not show keep the prior with its scatter."""
-
-    date: str | None
-    """When was measured, as year-month-day: it is reported, and stands in the robot file."""
-
-
-class MeasureOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.measure`."""
-
-    stiffness: Literal["paper", "prior", "file"] | None
-    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
-
-    drive_urad_per_nm: npt.ArrayLike | None
-    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as --stiffness says]."""
-
-    stiffness_nm_per_rad: npt.ArrayLike | None
-    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
-
-    load_mm: npt.ArrayLike | None
-    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
-    centre]."""
-
-    marker_mm: str | Iterable[str] | None
-    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
-    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
-
-    task: str | None
-    """The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at
-    its best place, the tool down [default: anywhere within the limits]."""
-
-    loads: str | Iterable[str]
-    """In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes
-    (pulleys); separated by commas."""
-
-    force_n: float
-    """How large the load is [N]."""
-
-    runs: int
-    """How many postures and loads, or with geometry postures, are to be measured."""
-
-    criterion: Literal["prediction", "a", "d"]
-    """By what a plan is judged; each is certified against every other choice of the candidates."""
-
-    candidates: int
-    """Among how many of them is chosen."""
-
-    sigma_mm: float
-    """Standard deviation of what is read of a coordinate [mm]."""
-
-    posture_sigma_mm: float
-    """Standard deviation of what the model misses of a coordinate in a posture [mm], however often it is read
-    there: repeats do not take it away."""
-
-    repeats: int
-    """How often a posture is measured at most, whatever the load."""
-
-    window: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
-    [default: above the floor]."""
-
-    instrument_m: npt.ArrayLike | None
-    """Where the tracker or camera stands [m], from the base: only postures in which it sees all markers past the
-    arm are looked at [default: markers are seen from everywhere]."""
-
-    marker_faces: npt.ArrayLike | None
-    """Where the markers face, along flange axes: they are seen within the acceptance of this direction [default:
-    all sides]."""
-
-    acceptance_deg: float
-    """How far a marker may be turned away from the line to the instrument [deg]."""
-
-    tool_mm: npt.ArrayLike | None
-    """The tool of the work in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the
-    flange]."""
-
-    tool: str | None
-    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
-    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
-
-    compare: str | os.PathLike[str] | None
-    """A table of postures and loads of your own: what it is worth beside the plan."""
-
-
-class CalibrateOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.calibrate`."""
-
-    level: Literal["auto", "zeros", "geometry", "weight", "gears"]
-    """How much may differ from the drawing."""
-
-    columns: str | Iterable[str] | Mapping[str, str] | None
-    """What columns are called in the table: joint_1_deg=J1,x1_mm=X [default: as they are called here]."""
-
-    frame_by: str | None
-    """The column that tells apart where the tracker stood; each stand has a frame of its own [default: one
-    frame]."""
-
-    at: npt.ArrayLike | None
-    """Where the work is [m], from the robot's base: the error that remains is computed within 0.25 m about it
-    [default: over all the arm reaches]."""
-
-    controller_model: Literal["nominal", "calibrated"] | None
-    """With which arm the controller computes while it is measured, and later: for the robot file [default: no
-    program is written of the robot file]."""
-
-    date: str | None
-    """When it was read or measured, as year-month-day: for the robot file [default: today]."""
-
-
-class VerifyOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.verify`."""
-
-    any: bool
-    """Try all robots of the catalogue, not only those of the same maker; which robot are the readings from,
-    where none is named."""
-
-    base_mm: npt.ArrayLike | None
-    """The base of the robot file in the frame of the readings [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed
-    axes, 0,0,0 where no base is in force; shows the zero of joint 1 [default: fitted]."""
-
-    tool_mm: npt.ArrayLike | None
-    """The tool in force [mm, deg], in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes, 0,0,0 where
-    none is; shows the zero of joint 6 [default: fitted]."""
-
-    columns: str | Iterable[str] | Mapping[str, str] | None
-    """What columns are called in the table: joint_1_deg=J1,x1_mm=X [default: as they are called here]."""
-
-    frame_by: str | None
-    """The column that tells apart where the tracker stood; each stand has a frame of its own [default: one
-    frame]."""
-
-    date: str | None
-    """When it was read or measured, as year-month-day: for the robot file [default: today]."""
-
-
-class ModesOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.modes`."""
-
-    limit_margin_deg: float | None
-    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
-
-    singular_margin_deg: float | None
-    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
-
-    clear_of_base_m: float | None
-    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
-    + l3)]."""
-
-    floor_m: str | float | None
-    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
-    unless --within says how low the zone may stand]."""
-
-    angle: str | float
-    """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
-    a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
-
-    tool_mm: npt.ArrayLike | None
-    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
-    centre]."""
-
-    tool: str | None
-    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
-    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
-
-    stiffness: Literal["paper", "prior", "file"] | None
-    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
-
-    drive_urad_per_nm: npt.ArrayLike | None
-    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as --stiffness says]."""
-
-    stiffness_nm_per_rad: npt.ArrayLike | None
-    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
-
-    task: str | None
-    """Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the
-    least and the largest frequencies, and a proved least first frequency."""
-
-    at: npt.ArrayLike | None
-    """The place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above it;
-    of a rectangle with --angle 0 unless another is given."""
-
-    tool_direction: str | float | None
-    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
-
-    yaw_deg: str | float | None
-    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: 0]."""
-
-    roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the
-    stiffest]."""
-
-    tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
-    that weighs nothing]."""
-
-    tool_com_mm: npt.ArrayLike | None
-    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
-
-    tool_inertia_kg_m2: npt.ArrayLike | None
-    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
-    has them [default: none: a point mass]."""
-
-    damping_ratio: float | None
-    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
-    robot file has it of the drives, else 0.03]."""
-
-    count: int
-    """How many modes are reported, the lowest first."""
-
-
-class ChatterOptions(TypedDict, total=False):
-    """Keywords of `stiffarm.chatter`."""
-
-    tool_mm: npt.ArrayLike | None
-    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
-    centre]."""
-
-    tool: str | None
-    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
-    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
-
-    stiffness: Literal["paper", "prior", "file"] | None
-    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
-
-    drive_urad_per_nm: npt.ArrayLike | None
-    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as --stiffness says]."""
-
-    stiffness_nm_per_rad: npt.ArrayLike | None
-    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
-
-    tool_mass_kg: float | None
-    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
-    that weighs nothing]."""
-
-    tool_com_mm: npt.ArrayLike | None
-    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
-
-    tool_inertia_kg_m2: npt.ArrayLike | None
-    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
-    has them [default: none: a point mass]."""
-
-    damping_ratio: float | None
-    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
-    robot file has it of the drives, else 0.03]."""
-
-    method: Literal["mean", "teeth"] | None
-    """How teeth are counted [default: teeth where each cuts for half of the time or less and passes slowly, else
-    mean]."""
-
-    frf: str | os.PathLike[str] | None
-    """How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im ..
-    gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux,
-    uy, uz [default: spindle, holder and cutter are rigid]."""
-
-    frf_on: Literal["rigid", "robot"] | None
-    """What held the tip while it was measured."""
 
 
 class MillOptions(TypedDict, total=False):
@@ -1094,6 +911,189 @@ class MillOptions(TypedDict, total=False):
 
     step_mm: float
     """Longest way between two samples [mm]."""
+
+
+class MeasureOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.measure`."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    load_mm: npt.ArrayLike | None
+    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
+    centre]."""
+
+    marker_mm: str | Iterable[str] | None
+    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
+    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
+
+    task: str | None
+    """The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at
+    its best place, the tool down [default: anywhere within the limits]."""
+
+    loads: str | Iterable[str]
+    """In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes
+    (pulleys); separated by commas."""
+
+    force_n: float
+    """How large the load is [N]."""
+
+    runs: int
+    """How many postures and loads, or with geometry postures, are to be measured."""
+
+    criterion: Literal["prediction", "a", "d"]
+    """By what a plan is judged; each is certified against every other choice of the candidates."""
+
+    candidates: int
+    """Among how many of them is chosen."""
+
+    sigma_mm: float
+    """Standard deviation of what is read of a coordinate [mm]."""
+
+    posture_sigma_mm: float
+    """Standard deviation of what the model misses of a coordinate in a posture [mm], however often it is read
+    there: repeats do not take it away."""
+
+    repeats: int
+    """How often a posture is measured at most, whatever the load."""
+
+    window: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
+    [default: above the floor]."""
+
+    instrument_m: npt.ArrayLike | None
+    """Where the tracker or camera stands [m], from the base: only postures in which it sees all markers past the
+    arm are looked at [default: markers are seen from everywhere]."""
+
+    marker_faces: npt.ArrayLike | None
+    """Where the markers face, along flange axes: they are seen within the acceptance of this direction [default:
+    all sides]."""
+
+    acceptance_deg: float
+    """How far a marker may be turned away from the line to the instrument [deg]."""
+
+    tool_mm: npt.ArrayLike | None
+    """The tool of the work in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the
+    flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    compare: str | os.PathLike[str] | None
+    """A table of postures and loads of your own: what it is worth beside the plan."""
+
+
+class IdentifyOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.identify`."""
+
+    load_mm: npt.ArrayLike | None
+    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
+    centre]."""
+
+    marker_mm: str | Iterable[str] | None
+    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
+    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
+
+    force_axes: Literal["base", "flange"]
+    """Along which axes the forces and moments point."""
+
+    displacement_axes: Literal["base", "flange"]
+    """Along which axes the displacements point."""
+
+    fit: Literal["least-squares", "huber"]
+    """How the compliances are estimated."""
+
+    model: Literal["drives", "base", "tool", "base-and-tool", "compensator", "compensator-and-preload", "regions", "auto"]
+    """What is taken to spring."""
+
+    regions: int
+    """In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model
+    "regions"."""
+
+    prior: bool
+    """Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot
+    file has the posterior; drives that the rows do not show keep the prior with its scatter."""
+
+    date: str | None
+    """When was measured, as year-month-day: it is reported, and stands in the robot file."""
+
+
+class CalibrateOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.calibrate`."""
+
+    level: Literal["auto", "zeros", "geometry", "weight", "gears"]
+    """How much may differ from the drawing."""
+
+    columns: str | Iterable[str] | Mapping[str, str] | None
+    """What columns are called in the table: joint_1_deg=J1,x1_mm=X [default: as they are called here]."""
+
+    frame_by: str | None
+    """The column that tells apart where the tracker stood; each stand has a frame of its own [default: one
+    frame]."""
+
+    at: npt.ArrayLike | None
+    """Where the work is [m], from the robot's base: the error that remains is computed within 0.25 m about it
+    [default: over all the arm reaches]."""
+
+    controller_model: Literal["nominal", "calibrated"] | None
+    """With which arm the controller computes while it is measured, and later: for the robot file [default: no
+    program is written of the robot file]."""
+
+    date: str | None
+    """When it was read or measured, as year-month-day: for the robot file [default: today]."""
+
+
+class VerifyOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.verify`."""
+
+    any: bool
+    """Try all robots of the catalogue, not only those of the same maker; which robot are the readings from,
+    where none is named."""
+
+    base_mm: npt.ArrayLike | None
+    """The base of the robot file in the frame of the readings [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed
+    axes, 0,0,0 where no base is in force; shows the zero of joint 1 [default: fitted]."""
+
+    tool_mm: npt.ArrayLike | None
+    """The tool in force [mm, deg], in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes, 0,0,0 where
+    none is; shows the zero of joint 6 [default: fitted]."""
+
+    columns: str | Iterable[str] | Mapping[str, str] | None
+    """What columns are called in the table: joint_1_deg=J1,x1_mm=X [default: as they are called here]."""
+
+    frame_by: str | None
+    """The column that tells apart where the tracker stood; each stand has a frame of its own [default: one
+    frame]."""
+
+    date: str | None
+    """When it was read or measured, as year-month-day: for the robot file [default: today]."""
+
+
+class RobotsOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.robots`."""
+
+    vendor: str | Iterable[str] | None
+    """Only robots of these makers, separated by commas."""
+
+    payload_kg: RangeLike | None
+    """Only robots with a payload in this range [kg]: A..B; either end may be left open."""
+
+    reach_m: RangeLike | None
+    """Only robots with a reach in this range [m]: A..B; either end may be left open."""
+
+    architecture: Literal["serial", "quasi-serial"] | None
+    """Only robots of this architecture: serial or quasi-serial."""
+
+    status: str | Iterable[Literal["identified", "data-sheet", "derived", "estimated"]] | None
+    """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
 
 
 class SweepOptions(TypedDict, total=False):

@@ -14,7 +14,6 @@ use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 /// What is an argument of its own in Python.
 const NOT_KEYWORDS: [&str; 5] = ["robot", "robots", "joints-deg", "data", "path"];
-const NONE: &[&str] = &[];
 const HEAD: &str = r#""""What goes in and what comes out, for type checkers: the options of every verb, and the keys of every answer.
 
 Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the tables of the library; not to be edited.
@@ -54,27 +53,30 @@ fn answers() -> impl Iterator<Item = &'static Shape> {
     Verb::ALL.into_iter().flat_map(shape::answers).chain([&shape::LEDGER])
 }
 
+/// What calls it.
+fn function(verb: Verb) -> &'static str {
+    if verb == Verb::List { "robots" } else { verb.function() }
+}
+
+/// Options that are arguments of a function by themselves.
+fn arguments(verb: Verb) -> &'static [&'static str] {
+    match verb {
+        Verb::Place | Verb::Rank => &["task"],
+        Verb::Compare => &["a", "b"],
+        Verb::Measure => &["geometry"],
+        Verb::Chatter => &["process", "feed"],
+        _ => &[],
+    }
+}
+
 fn written() -> String {
     let mut text = HEAD.to_owned();
-    let classes = [
-        ("Robots", "robots", Verb::List, NONE),
-        ("Compliance", "compliance", Verb::Compliance, NONE),
-        ("Place", "place", Verb::Place, &["task"]),
-        ("Rank", "rank", Verb::Rank, &["task"]),
-        ("Map", "map", Verb::Map, NONE),
-        ("Study", "study", Verb::Study, NONE),
-        ("Compare", "compare", Verb::Compare, &["a", "b"]),
-        ("Identify", "identify", Verb::Identify, NONE),
-        ("Measure", "measure", Verb::Measure, &["geometry"]),
-        ("Calibrate", "calibrate", Verb::Calibrate, NONE),
-        ("Verify", "verify", Verb::Verify, NONE),
-        ("Modes", "modes", Verb::Modes, NONE),
-        ("Chatter", "chatter", Verb::Chatter, &["process", "feed"]),
-        ("Mill", "mill", Verb::Mill, NONE),
-        // A sweep takes several forces.
-        ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
-    ];
-    for (name, function, verb, own) in classes {
+    let verbs = Verb::ALL.into_iter().filter(|verb| *verb != Verb::Force);
+    let of_verbs = verbs.map(|verb| (function(verb), verb, arguments(verb)));
+    // A sweep takes several forces.
+    for (function, verb, own) in of_verbs.chain([("cluster.sweep", Verb::Place, &["task", "force-n"] as _)]) {
+        let last = function.rsplit('.').next().expect("a name");
+        let name = format!("{}{}", last[..1].to_uppercase(), &last[1..]);
         writeln!(text, "\n\nclass {name}Options(TypedDict, total=False):").unwrap();
         writeln!(text, "    \"\"\"Keywords of `stiffarm.{function}`.\"\"\"").unwrap();
         let is_keyword = |name: &str| !NOT_KEYWORDS.contains(&name) && !own.contains(&name);

@@ -7,11 +7,12 @@ use super::super::opt;
 use super::super::setting::{Absent, Of, Setting};
 use super::super::verb::Verb;
 use super::shared::{
-    CELL, COMPLIANCE, JOINTS, PLACING, POSTURE, ROLL, ROW, SPINDLE, SPRINGS, TOOL, TOOL_DIRECTION, WHOSE, YAW,
+    AT_JOINTS, CELL, COMPLIANCE, JOINTS, PLACING, POSTURE, ROLL, ROW, SPINDLE, SPRINGING_ALONE, SPRINGS, TOOL,
+    TOOL_DIRECTION, WHOSE, YAW,
 };
 
 pub(super) const ROWS: &[Setting] = &[
-    Setting { verbs: &[Verb::Compliance, Verb::Chatter], ..JOINTS },
+    Setting { verbs: AT_JOINTS, ..JOINTS },
     opt::FORCE_N.row(Setting {
         verbs: COMPLIANCE,
         kind: Kind::Force,
@@ -60,7 +61,7 @@ pub(super) const ROWS: &[Setting] = &[
         ..WHOSE
     },
     Setting {
-        verbs: &[Verb::Compliance, Verb::Modes, Verb::Chatter, Verb::Measure],
+        verbs: SPRINGING_ALONE,
         absent: Absent::Means("as the robot file has it, else prior"),
         example: "paper",
         ..WHOSE

@@ -13,6 +13,13 @@ pub(super) const MAP: &[Verb] = &[Verb::Map];
 pub(super) const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 /// Those that look at one posture.
 pub(super) const POSTURE: &[Verb] = &[Verb::Compliance, Verb::Modes, Verb::Chatter];
+/// Those whose posture is always given.
+pub(super) const AT_JOINTS: &[Verb] = &[Verb::Compliance, Verb::Chatter];
+/// Those that take the springs of one robot, in space.
+pub(super) const SPRINGING_ALONE: &[Verb] = &[Verb::Compliance, Verb::Modes, Verb::Chatter, Verb::Measure];
+/// Those that begin with the name of one robot.
+pub(super) const OF_ONE_ROBOT: &[Verb] =
+    &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Measure, Verb::Calibrate];
 pub(super) const COMPARE: &[Verb] = &[Verb::Compare];
 /// Those that bend drives.
 pub(super) const SPRINGING: &[Verb] = &[

@@ -7,13 +7,13 @@ use super::super::opt;
 use super::super::setting::{Absent, DRAWN, Of, Setting};
 use super::super::verb::Verb;
 use super::shared::{
-    A_ZONE, BENDING, COMPARE, CUTTING_FORCE, HOLDING, MAP, MARGIN, MASS, MASS_CENTRE, ONLY_PLACING, PLACE, PLACING,
-    RANK, ROW, SETUP, SEVERAL, WITH_FORCE,
+    A_ZONE, BENDING, COMPARE, CUTTING_FORCE, HOLDING, MAP, MARGIN, MASS, MASS_CENTRE, OF_ONE_ROBOT, ONLY_PLACING,
+    PLACE, PLACING, RANK, ROW, SETUP, SEVERAL, WITH_FORCE,
 };
 
 pub(super) const ROWS: &[Setting] = &[
     opt::ROBOT.row(Setting {
-        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Measure, Verb::Calibrate],
+        verbs: OF_ONE_ROBOT,
         kind: Kind::Robot,
         value: "ROBOT",
         absent: Absent::Required,

@@ -1,6 +1,6 @@
 //! Which fields stand together in several objects?
 
-use super::{Slot, slots};
+use super::slots::{Slot, slots};
 
 /// Which robot, and how stiff.
 pub(super) const OF_ROBOT: &[Slot] =

@@ -1,6 +1,9 @@
 //! What can be reported of several robots or setups.
 
+use super::groups::{OF_CHANCES, OF_FORCE, OF_ROBOT};
 use super::kinds::{Kind, Unit, fields};
+use super::place::shape::PLACEMENT_IN_RANKING;
+use super::slots::{Slot, shapes, slots};
 
 fields! {
     RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
@@ -29,3 +32,24 @@ fields! {
     DIFFERENT: "differ_in", Kind::List(&Kind::Text), "What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance, place.";
     SUMMARY: "summary", Kind::List(&Kind::Text), "What a manager would read.";
 }
+
+shapes! {
+    RANKING: "RankingDict", "What `rank` answers.", &[
+        slots![TASKS], OF_FORCE, slots![MODEL, ROWS => RANKING_ROW, WINNERS => WINNER, SUMMARY],
+    ];
+    RANKING_ROW: "RankingRow", "One robot of a ranking.",
+        &[OF_ROBOT, OF_STANDING, OF_CHANCES, slots![CELLS => PLACEMENT_IN_RANKING]];
+    STANDING: "Standing", "Where a robot stands among others.", &[OF_STANDING];
+    WINNER: "Winner", "Who is best at a task.", &[slots![
+        TASK, BEST | null, DISTINGUISHED | null, RIVALS, BEST_WITH_ESTIMATED | null, BEST_SERIAL | null, BEST_QUASI_SERIAL | null,
+    ]];
+}
+
+const OF_STANDING: &[Slot] = slots![
+    RANK | null,
+    RANK_TIED | null,
+    PLANAR_RANK | null,
+    BOUND | null,
+    MEAN_RATIO | null,
+    MEAN_RATIO_BOUND | null,
+];

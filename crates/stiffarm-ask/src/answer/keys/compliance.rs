@@ -1,6 +1,8 @@
 //! What can be reported of one posture.
 
+use super::groups::{OF_ROBOT, OF_SPREAD};
 use super::kinds::{Kind, Unit, fields, numbers};
+use super::slots::{shapes, slots};
 
 fields! {
     JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
@@ -14,4 +16,20 @@ fields! {
     MOVED: "deflection_mm", numbers(Unit::Millimetre, &["dx_mm", "dy_mm", "dz_mm"]), "The translation under it.";
     TURNED: "rotation_mrad", numbers(Unit::Milliradian, &["rx_mrad", "ry_mrad", "rz_mrad"]), "The rotation under it.";
     COUNTED: "largest_mm", Kind::Number(Unit::Millimetre), "What counts of the translation, the largest that the force may cause.";
+}
+
+shapes! {
+    COMPLIANCE: "ComplianceDict", "What `compliance` answers.", &[
+        OF_ROBOT,
+        slots![
+            MODEL, JOINTS, PENDANT, TCP, COMPLIANCE, COMPLIANCE_6X6, PRINCIPAL, WORST_DIRECTION, WORST_SHARES,
+            FORCE_VECTOR | null, MOVED | null, TURNED | null, COUNTED | null,
+        ],
+        OF_SPREAD,
+        slots![FORCE_AXES | null, FORCE_DIRECTION | null, FORCE_CONE | null, FEED | null, COMPONENT | null],
+    ];
+    FORCE: "ForceDict", "What `force` answers.", &[slots![
+        PROCESS, LAW, MATERIAL | null, MATERIAL_STATUS | null, MATERIAL_SOURCE | null, MEAN_FORCE | null, MAX_FORCE | null,
+        MIN_FORCE | null, PEAK_FORCE, MOMENT, POWER | null, SPINDLE_SPEED | null, ENTRY_ANGLE | null, EXIT_ANGLE | null, ASSUMED,
+    ]];
 }

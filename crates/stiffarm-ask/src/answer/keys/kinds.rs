@@ -91,7 +91,7 @@ pub enum Kind {
     Maybe(&'static Kind),
     /// Values under names that are not keys of ours; in no table.
     ByName(&'static Kind),
-    /// What has fields of its own, by a [`Shape`](super::super::shape::Shape); in no table.
+    /// What has fields of its own, by a [`Shape`](super::slots::Shape); in no table.
     Object,
     /// A list of these.
     Objects,
@@ -161,15 +161,21 @@ pub(super) const fn open_numbers(unit: Unit, columns: &'static [&'static str]) -
     Kind::Numbers { unit, columns, nested: 0, open: true }
 }
 
-/// The fields of a verb as constants, and `FIELDS`, all of them in this order.
+/// The fields of a verb: a module `field` with each as a constant, and `FIELDS`, all of them in this order.
 macro_rules! fields {
     ($($name:ident: $key:literal, $kind:expr, $about:literal;)*) => {
-        $(
-            #[doc = $about]
-            pub const $name: super::kinds::Field = super::kinds::Field::new($key, $kind, $about);
-        )*
+        /// Keys.
+        pub(in crate::answer::keys) mod field {
+            use super::*;
 
-        pub(super) const FIELDS: &[super::kinds::Field] = &[$($name),*];
+            $(
+                #[doc = $about]
+                pub const $name: $crate::answer::keys::kinds::Field =
+                    $crate::answer::keys::kinds::Field::new($key, $kind, $about);
+            )*
+
+            pub(in crate::answer::keys) const FIELDS: &[$crate::answer::keys::kinds::Field] = &[$($name),*];
+        }
     };
 }
 pub(super) use fields;

@@ -1,6 +1,7 @@
 //! What can be reported of how joints are counted.
 
 use super::kinds::{Kind, Unit, fields, numbers};
+use super::slots::{shapes, slots};
 
 fields! {
     VERIFIED: "verified", Kind::Truth, "The readings agree with the robot file, and with no other way of counting the joints.";
@@ -18,4 +19,17 @@ fields! {
     ALIKE: "alike", Kind::List(&Kind::Text), "What the readings do not tell apart, in words.";
     POSTURES_TO_READ: "postures_deg", Kind::List(&Kind::List(&Kind::Number(Unit::Given("deg")))), "Postures that would tell it apart: joint angles.";
     WRONG_ROW: "wrong_row", Kind::Object, "The row that is off where all others agree: its line in the file and its distance, mm; null where there is none.";
+}
+
+shapes! {
+    FITTING_ROBOTS: "FittingRobotsDict", "What `robots verify` answers without a robot.",
+        &[slots![VERIFIED, READ_ROWS, FITS => WAY_OF_COUNTING]];
+    VERIFICATION: "VerificationDict", "What `robots verify` answers of a robot.", &[slots![
+        ROBOT, VERIFIED, READ_ROWS, MEASURED_POINTS, LARGEST_OFF, OFF, LARGEST_TURN | null, BASE_SEEN, POINTS_SEEN,
+        FITS => WAY_OF_COUNTING, ALIKE, POSTURES_TO_READ, WRONG_ROW | null => WRONG_READING,
+    ]];
+    WAY_OF_COUNTING: "WayOfCounting", "A way of counting the joints.", &[slots![
+        ROBOT, VENDOR, THIRD_AXIS, SIGN, ZERO, CARRIED, OFF, LARGEST_OFF, LARGEST_TURN | null, DIFFERS, DIFFERENCES,
+    ]];
+    WRONG_READING: "WrongReading", "The row that does not agree.", &[slots![LINE, DISTANCE_OFF]];
 }

@@ -1,6 +1,8 @@
 //! What can be reported of how a cut swings.
 
+use super::groups::{OF_ROBOT, OF_TOOL_BODY};
 use super::kinds::{Kind, Unit, fields};
+use super::slots::{shapes, slots};
 
 fields! {
     CUT_DEPTH: "cut_depth_mm", Kind::Number(Unit::Millimetre), "Axial depth of the cut, as the process has it.";
@@ -33,4 +35,51 @@ fields! {
     LOBE_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at a speed; null where none up to 300 mm does.";
     LOBE_DEPTH_P05: "depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over draws of drive stiffness and damping; null beyond 300 mm, and where teeth are counted one by one.";
     LOBE_DEPTH_P95: "depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
+}
+
+/// The cut, and how deep it may be; with `| null` where there may be none.
+macro_rules! of_cut {
+    ($(| $null:ident)?) => {
+        slots![
+            SPINDLE_SPEED $(| $null)?,
+            CUT_DEPTH $(| $null)?,
+            ENTRY_ANGLE $(| $null)?,
+            EXIT_ANGLE $(| $null)?,
+            CHATTER_METHOD $(| $null)?,
+            CRITICAL_DEPTH | null,
+            CRITICAL_DEPTH_P05 | null,
+            CRITICAL_DEPTH_P95 | null,
+            DEPTH_RESERVE | null,
+            CHATTER_FREQUENCY | null,
+            TOOTH_PHASE | null,
+            ANY_SPEED_DEPTH | null,
+            ANY_SPEED_DEPTH_P05 | null,
+            ANY_SPEED_DEPTH_P95 | null,
+            ANY_SPEED_FREQUENCY | null,
+            OTHER_WAY_DEPTH | null,
+            OTHER_WAY_FREQUENCY | null,
+            CALM_SPEEDS | null,
+            PAN_DEPTH | null,
+            PAN_FREQUENCY | null,
+            CHATTER_DRAWN $(| $null)?,
+            MODES_LOOKED_AT $(| $null)?,
+            ROBOT_MODES,
+            SPINDLE_MODES,
+            FRF | null,
+            FRF_ON | null,
+            MEASURED_MODES | null,
+            MEASURED_BETWEEN | null,
+        ]
+    };
+}
+pub(super) use of_cut;
+
+shapes! {
+    CHATTER: "ChatterDict", "What `chatter` answers.", &[
+        OF_ROBOT, slots![MODEL, JOINTS, PENDANT, TCP], OF_TOOL_BODY, slots![PROCESS], of_cut!(),
+        slots![CHATTER_VERDICT, ASSUMED, LOBES => LOBE],
+    ];
+    LOBE: "Lobe", "From which depth a cut swings at a speed of the spindle.", &[slots![
+        SPINDLE_SPEED, LOBE_DEPTH | null, LOBE_DEPTH_P05 | null, LOBE_DEPTH_P95 | null, CHATTER_FREQUENCY | null,
+    ]];
 }

@@ -1,6 +1,7 @@
 //! What can be reported of architectures.
 
 use super::kinds::{Kind, Unit, fields};
+use super::slots::{shapes, slots};
 
 fields! {
     SIZE: "d", Kind::Number(Unit::One), "The size over l2 + l3.";
@@ -15,4 +16,14 @@ fields! {
     BOUNDARIES: "boundaries", Kind::Objects, "Sizes at which the better architecture changes.";
     BETTER_BELOW: "better_below", Kind::Text, "The better contender for smaller tasks.";
     BETTER_ABOVE: "better_above", Kind::Text, "The better contender for larger tasks.";
+}
+
+shapes! {
+    BOUNDARY: "Boundary", "A size at which the better one changes.", &[slots![TASK, MU | null, SIZE, BETTER_BELOW, BETTER_ABOVE]];
+    STUDY: "StudyDict", "What `study` answers.",
+        &[slots![ROWS => STUDY_ROW, BOUNDARIES => BOUNDARY, MARK | null => STUDY_MARK]];
+    STUDY_MARK: "StudyMark", "A robot with its task among what was studied.",
+        &[slots![ROBOT, TASK, MU, SIZE, ACCURACIES, STIFFER | null]];
+    STUDY_ROW: "StudyRow", "One contender at one size.",
+        &[slots![TASK, SIZE, MU | null, IS_BEST, ARCHITECTURE, K2, K3, ACCURACY | null]];
 }

@@ -1,7 +1,7 @@
 //! Which fields do two setups have that are compared?
 
-use super::place::PLACEMENT;
-use super::{shapes, slots};
+use super::place::shape::PLACEMENT;
+use super::slots::{shapes, slots};
 
 shapes! {
     COMPARISON: "ComparisonDict", "What `compare` answers.", &[slots![

@@ -1,6 +1,7 @@
 //! What can be reported of a toolpath as it is read.
 
 use super::kinds::{Kind, Unit, fields, numbers};
+use super::slots::{shapes, slots};
 
 fields! {
     REMARKS: "remarks", Kind::List(&Kind::Text), "What is odd.";
@@ -29,4 +30,11 @@ fields! {
     ARC_MISS: "arc_miss_mm", Kind::Number(Unit::Millimetre), "By how much the ends of an arc miss one radius at most.";
     ASSUMED: "assumed", Kind::List(&Kind::Text), "What the file leaves open and how it was taken, with the line that came first.";
     IGNORED: "ignored", Kind::List(&Kind::Text), "Words of the file that move nothing, each kind once.";
+}
+
+shapes! {
+    TOOLPATH: "ToolpathDict", "What `mill --dry` answers.", &[slots![
+        PATH, PATH_FORMAT, LINES | null, FEED_LENGTH, RAPID_LENGTH, FEED_MOVES, RAPID_MOVES, TOOLS, APART, ARCS, FULL_CIRCLES, ARC_LENGTH,
+        BOX | null, RAPID_BOX | null, FEEDS | null, FEED_TIME | null, TILT, AXIS_TURN, SAMPLES_OF_PATH, CHORD_ERROR, ARC_MISS, ASSUMED, IGNORED,
+    ]];
 }
