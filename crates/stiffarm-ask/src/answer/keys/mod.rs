@@ -25,48 +25,48 @@ mod verify;
 
 /// What a key means: its unit, and what it is.
 pub mod field {
-    pub use super::kinds::{Field, Kind, Unit};
+    pub use crate::answer::keys::kinds::{Field, Kind, Unit};
 
-    pub use super::calibrate::field::*;
-    pub use super::cell::field::*;
-    pub use super::chatter::field::*;
-    pub use super::compliance::field::*;
-    pub use super::force::field::*;
-    pub use super::identify::field::*;
-    pub use super::load::field::*;
-    pub use super::map::field::*;
-    pub use super::measure::field::*;
-    pub use super::mill::field::*;
-    pub use super::modes::field::*;
-    pub use super::path::field::*;
-    pub use super::place::field::*;
-    pub use super::rank::field::*;
-    pub use super::robots::field::*;
-    pub use super::schema::field::*;
-    pub use super::study::field::*;
-    pub use super::verify::field::*;
+    pub use crate::answer::keys::calibrate::field::*;
+    pub use crate::answer::keys::cell::field::*;
+    pub use crate::answer::keys::chatter::field::*;
+    pub use crate::answer::keys::compliance::field::*;
+    pub use crate::answer::keys::force::field::*;
+    pub use crate::answer::keys::identify::field::*;
+    pub use crate::answer::keys::load::field::*;
+    pub use crate::answer::keys::map::field::*;
+    pub use crate::answer::keys::measure::field::*;
+    pub use crate::answer::keys::mill::field::*;
+    pub use crate::answer::keys::modes::field::*;
+    pub use crate::answer::keys::path::field::*;
+    pub use crate::answer::keys::place::field::*;
+    pub use crate::answer::keys::rank::field::*;
+    pub use crate::answer::keys::robots::field::*;
+    pub use crate::answer::keys::schema::field::*;
+    pub use crate::answer::keys::study::field::*;
+    pub use crate::answer::keys::verify::field::*;
 
     /// All of them.
     pub fn all() -> impl Iterator<Item = &'static Field> {
         let lists = [
-            super::place::field::FIELDS,
-            super::rank::field::FIELDS,
-            super::compliance::field::FIELDS,
-            super::study::field::FIELDS,
-            super::map::field::FIELDS,
-            super::load::field::FIELDS,
-            super::modes::field::FIELDS,
-            super::chatter::field::FIELDS,
-            super::robots::field::FIELDS,
-            super::identify::field::FIELDS,
-            super::measure::field::FIELDS,
-            super::path::field::FIELDS,
-            super::force::field::FIELDS,
-            super::mill::field::FIELDS,
-            super::verify::field::FIELDS,
-            super::calibrate::field::FIELDS,
-            super::cell::field::FIELDS,
-            super::schema::field::FIELDS,
+            crate::answer::keys::place::field::FIELDS,
+            crate::answer::keys::rank::field::FIELDS,
+            crate::answer::keys::compliance::field::FIELDS,
+            crate::answer::keys::study::field::FIELDS,
+            crate::answer::keys::map::field::FIELDS,
+            crate::answer::keys::load::field::FIELDS,
+            crate::answer::keys::modes::field::FIELDS,
+            crate::answer::keys::chatter::field::FIELDS,
+            crate::answer::keys::robots::field::FIELDS,
+            crate::answer::keys::identify::field::FIELDS,
+            crate::answer::keys::measure::field::FIELDS,
+            crate::answer::keys::path::field::FIELDS,
+            crate::answer::keys::force::field::FIELDS,
+            crate::answer::keys::mill::field::FIELDS,
+            crate::answer::keys::verify::field::FIELDS,
+            crate::answer::keys::calibrate::field::FIELDS,
+            crate::answer::keys::cell::field::FIELDS,
+            crate::answer::keys::schema::field::FIELDS,
         ];
         lists.into_iter().flatten()
     }
@@ -76,24 +76,24 @@ pub mod field {
 pub mod shape {
     use crate::request::Verb;
 
-    pub use super::slots::{Shape, Slot};
+    pub use crate::answer::keys::slots::{Shape, Slot};
 
-    pub use super::calibrate::shape::*;
-    pub use super::chatter::shape::*;
-    pub use super::compare::shape::*;
-    pub use super::compliance::shape::*;
-    pub use super::identify::shape::*;
-    pub use super::map::shape::*;
-    pub use super::measure::shape::*;
-    pub use super::mill::shape::*;
-    pub use super::modes::shape::*;
-    pub use super::path::shape::*;
-    pub use super::place::shape::*;
-    pub use super::rank::shape::*;
-    pub use super::robots::shape::*;
-    pub use super::schema::shape::*;
-    pub use super::study::shape::*;
-    pub use super::verify::shape::*;
+    pub use crate::answer::keys::calibrate::shape::*;
+    pub use crate::answer::keys::chatter::shape::*;
+    pub use crate::answer::keys::compare::shape::*;
+    pub use crate::answer::keys::compliance::shape::*;
+    pub use crate::answer::keys::identify::shape::*;
+    pub use crate::answer::keys::map::shape::*;
+    pub use crate::answer::keys::measure::shape::*;
+    pub use crate::answer::keys::mill::shape::*;
+    pub use crate::answer::keys::modes::shape::*;
+    pub use crate::answer::keys::path::shape::*;
+    pub use crate::answer::keys::place::shape::*;
+    pub use crate::answer::keys::rank::shape::*;
+    pub use crate::answer::keys::robots::shape::*;
+    pub use crate::answer::keys::schema::shape::*;
+    pub use crate::answer::keys::study::shape::*;
+    pub use crate::answer::keys::verify::shape::*;
 
     /// What a verb answers, one of these, behind its schema: of a zone first, then of a path. The catalogue is a list of robots by the keys of
     /// their files.
