@@ -21,7 +21,7 @@ pub(crate) const CHECKED: [Verb; 3] = [Verb::Rank, Verb::Place, Verb::Mill];
 pub(crate) fn subcommand(verb: Verb, with_hidden: bool) -> Command {
     let mut command = Command::new(verb.function()).about(verb.about()).override_usage(usage(verb));
     for setting in verb.settings().filter(|setting| !setting.is_positional) {
-        command = command.arg(argument(setting));
+        command = command.arg(argument(verb, setting));
     }
     let mut hidden: Vec<&str> = Vec::new();
     // What stands without its name here may be an option of others, and may be typed as such.
@@ -88,8 +88,11 @@ fn usage(verb: Verb) -> String {
 }
 
 /// A row as an argument.
-fn argument(setting: &'static Setting) -> Arg {
-    let mut arg = takes(setting, Arg::new(setting.name).long(setting.name)).help(setting.described());
+fn argument(verb: Verb, setting: &'static Setting) -> Arg {
+    let needed: Vec<String> = setting.needed_by(verb).map(|other| format!("--{other}")).collect();
+    let needs = if needed.is_empty() { String::new() } else { format!(" [needs {}]", needed.join(" or ")) };
+    let help = format!("{}{needs}", setting.described());
+    let mut arg = takes(setting, Arg::new(setting.name).long(setting.name)).help(help);
     if !setting.heading.is_empty() {
         arg = arg.help_heading(setting.heading);
     }

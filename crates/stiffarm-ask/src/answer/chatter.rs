@@ -1,7 +1,5 @@
 //! Does a cut swing? The answer as fields and as text.
 
-use std::f64::consts::TAU;
-
 use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::chatter::{Chatter, DepthSpread, Edge, HeldBy, LONGEST, Lobe, Method, Verdict};
@@ -12,6 +10,7 @@ use stiffarm::robot::Robot;
 
 use super::compliance::vector;
 use super::modes::tool_note;
+use super::numbers::rpm;
 use super::stiffness::{self, stiffness};
 use super::tip::{self, TipFile};
 use super::words::{self, fixed};
@@ -34,10 +33,6 @@ pub struct ChatterAnswer {
     pub measured: Option<TipFile>,
     /// What was found.
     pub chatter: Chatter,
-}
-
-fn rpm(spindle: f64) -> f64 {
-    spindle * 60.0 / TAU
 }
 
 fn depth(edge: Option<Edge>) -> Option<f64> {

@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::numbers::rpm;
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, schema_of, shape, under};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::cutting::{CuttingForce, Law, Measured, MeasuredAxes, Milling, Side};
@@ -38,7 +39,7 @@ impl CuttingAnswer {
 
     /// Speed of the spindle, turns a minute.
     fn rpm(&self) -> Option<f64> {
-        self.process.process.spindle.map(|spindle| spindle * 60.0 / std::f64::consts::TAU)
+        self.process.process.spindle.map(rpm)
     }
 
     /// Every field.

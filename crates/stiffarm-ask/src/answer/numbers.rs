@@ -13,3 +13,8 @@ pub fn fixed(value: f64, digits: usize) -> String {
 pub(super) fn digits(x: f64, count: usize) -> f64 {
     format!("{x:.*e}", count - 1).parse().unwrap_or(x)
 }
+
+/// Turns a minute, of rad/s.
+pub(super) fn rpm(spindle: f64) -> f64 {
+    spindle * 60.0 / std::f64::consts::TAU
+}

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
+use super::numbers::rpm;
 use super::{Line, Record, Rows, Table, field, fixed, line, schema_of, shape, under};
 use stiffarm::toolpath::{Survey, Understood};
 
@@ -51,6 +52,7 @@ impl PathAnswer {
             .put(field::RAPID_BOX, survey.rapid_extent.map(corners))
             .put(field::FEEDS, survey.feeds.map(|feeds| [feeds.min(), feeds.max()]))
             .put(field::FEED_TIME, survey.feed_time)
+            .put(field::SPINDLE_SPEEDS, survey.spindles.map(|speeds| [speeds.min(), speeds.max()].map(rpm)))
             .put(field::TILT, survey.tilt)
             .put(field::AXIS_TURN, survey.turn)
             .put(field::SAMPLES_OF_PATH, survey.samples)
@@ -109,10 +111,14 @@ impl PathAnswer {
         let time =
             survey.feed_time.map_or("not known: a feed rate is missing".into(), |time| format!("{} s", fixed(time, 1)));
         lines.push(line("time of feed moves", time));
+        lines.extend(survey.spindles.map(|speeds| {
+            let [slowest, fastest] = [speeds.min(), speeds.max()].map(|speed| fixed(rpm(speed), 0));
+            line("spindle", format!("{slowest} to {fastest} rpm"))
+        }));
         let (tilt, turn) = (fixed(survey.tilt.to_degrees(), 2), fixed(survey.turn.to_degrees(), 2));
         lines.push(line("tool axis", format!("at most {tilt} deg off z, {turn} deg off where it first feeds")));
         lines.push(line(
-            "samples",
+            "samples of feed moves",
             format!("{}, chords off arcs by {} mm at most", survey.samples, fixed(survey.chord_error * 1e3, 4)),
         ));
         if survey.tools.iter().any(|(tool, _)| tool.is_some()) {

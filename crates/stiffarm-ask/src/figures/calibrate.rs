@@ -64,7 +64,7 @@ fn rows(canvas: &mut Canvas, answer: &CalibrateAnswer, (x, y): ([f64; 2], [f64; 
         let [x, y] = frame.at(row.line as f64, 1.06 * most);
         left_out(canvas, [x, y]);
     }
-    frame.draw(canvas, "line of the table", "mm");
+    frame.draw(canvas, "line of the table", "error [mm]");
     frame.headline(canvas, "the largest error of every row");
 }
 

@@ -85,7 +85,7 @@ fn compliances(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
             canvas.text([x, y - 12.0], "not seen", Font::new(12.0).middle().colour(GREY));
         }
     }
-    frame.draw(canvas, "drive", "compliance urad/(N m)");
+    frame.draw(canvas, "drive", "compliance [urad/(N m)]");
     frame.headline(canvas, "compliance found, 95 % interval");
 }
 
@@ -134,7 +134,7 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
             left_out(canvas, [x, y - 9.0]);
         }
     }
-    frame.draw(canvas, "row", "mm");
+    frame.draw(canvas, "row", "displacement [mm]");
     frame.headline(canvas, "what remains of every displacement");
 }
 

@@ -3836,6 +3836,9 @@ class ToolpathDict(TypedDict):
     time_s: float | None
     """Time of all feed moves; null where a feed rate is missing."""
 
+    spindle_speeds_rpm: list[float] | None
+    """The slowest and the fastest that the spindle turns while it feeds; null where it is not said."""
+
     tilt_deg: float
     """The largest angle between tool axis and z while it feeds."""
 

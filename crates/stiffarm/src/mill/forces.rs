@@ -1,6 +1,6 @@
 //! What pushes on the tool along a path: as the path says, as a process has it, or as what is left of the stock lets it.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::stations::{Acting, Station, StationCut, cut, cutting_axes};
 use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
 use crate::stock::{Engaged, Stock, StockError};
-use crate::toolpath::{Given, Move, Sample, Steps, of_line};
+use crate::toolpath::{Given, Move, MoveKind, Sample, Steps, of_line};
 use crate::watch::{Stopped, Watch};
 
 /// What was typed of the ends of a measured force is rounded to this, m or s.
@@ -163,6 +163,7 @@ pub fn forced(
         return Err(ForcedError::Missed);
     }
     remarks.extend(about_feeds(&stations, forcing));
+    remarks.extend(about_spindle(moves, forcing));
     if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
         remarks.extend(about_engagement(&stations, &taken, milling));
     }
@@ -194,7 +195,7 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
         found.push(format!("{aside} samples feed across the tool axis: the thrust of a drill is taken there, too"));
     }
     if let (Law::Milling(milling), Some(spindle)) = (&process.law, process.spindle) {
-        let meant = milling.engagement.feed_per_tooth * milling.teeth as f64 * spindle / std::f64::consts::TAU;
+        let meant = milling.engagement.feed_per_tooth * milling.teeth as f64 * spindle / TAU;
         let other = pushed().filter_map(|station| station.sample.feed).filter(|feed| 0.1 < (feed / meant - 1.0).abs());
         let [low, high] = other.fold([f64::INFINITY, 0.0], |[low, high], feed| [feed.min(low), feed.max(high)]);
         if low <= high {
@@ -210,6 +211,21 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
         }
     }
     found
+}
+
+/// Where the path turns the spindle otherwise than the process means.
+fn about_spindle(moves: &[Move], forcing: &Forcing) -> Option<String> {
+    let Forcing::Process(Process { spindle: Some(meant), .. }) = forcing else { return None };
+    let per_minute = |spindle: f64| (spindle * 60.0 / TAU).round();
+    let feeds = moves.iter().filter(|one| one.kind == MoveKind::Feed);
+    let others = feeds.filter_map(|one| one.given.spindle.map(|spindle| (spindle, one.line)));
+    let (spindle, line) = others.into_iter().find(|(spindle, _)| 0.01 < (spindle / meant - 1.0).abs())?;
+    Some(format!(
+        "{}the path turns the spindle at {} rpm where the process means {}: forces, power and chatter are those of the process",
+        of_line(line),
+        per_minute(spindle),
+        per_minute(*meant)
+    ))
 }
 
 /// What is to be said of a cut that is taken from the process, wherever the tool is; `taken` says of every station whether it is.
@@ -442,6 +458,22 @@ mod tests {
             !given.iter().any(|remarks_of| remarks_of.contains("in air too") || remarks_of.contains("WIDER")),
             "{given:?}"
         );
+    }
+
+    #[test]
+    fn a_spindle_that_turns_otherwise_than_the_process_means_is_told() {
+        let process = format!("spindle_rpm = 12000\n{SLOT}");
+        let process = Forcing::Process(read_process(&process, "slot.toml").unwrap().process);
+        let remarks = |rpm: Option<f64>| {
+            let mut moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
+            moves[0].given.spindle = rpm.map(|rpm| rpm * TAU / 60.0);
+            forced(&moves, &Steps::USUAL, &process, None, Watch::nobody()).unwrap().remarks.join("\n")
+        };
+        let told = "the path turns the spindle at 8000 rpm where the process means 12000";
+        assert!(remarks(Some(8000.0)).contains(told), "{}", remarks(Some(8000.0)));
+        for rpm in [None, Some(12000.0)] {
+            assert!(!remarks(rpm).contains("spindle"), "{}", remarks(rpm));
+        }
     }
 
     /// Along a square: over the way in the axes of the cut, over time in those of the part; by hand.

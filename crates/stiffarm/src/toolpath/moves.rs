@@ -54,6 +54,15 @@ pub struct Given {
     pub force: Option<Vector3<f64>>,
     /// The number of the tool in the spindle.
     pub tool: Option<u32>,
+    /// How fast the spindle turns, rad/s.
+    pub spindle: Option<f64>,
+}
+
+impl Given {
+    /// What a program says of every move: the tool, and turns of the spindle a minute.
+    pub(super) fn under(tool: Option<u32>, turns: Option<f64>) -> Self {
+        Self { tool, spindle: turns.map(|turns| turns * TAU / 60.0), ..Self::default() }
+    }
 }
 
 /// One move.

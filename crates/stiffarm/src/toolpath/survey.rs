@@ -31,6 +31,8 @@ pub struct Survey {
     pub feeds: Option<Interval>,
     /// Of all feed moves, s; `None` where a feed rate is missing.
     pub feed_time: Option<f64>,
+    /// How fast the spindle turns while it feeds, rad/s; `None` where that is not said.
+    pub spindles: Option<Interval>,
     /// The largest angle between the tool axis and z while it feeds, rad.
     pub tilt: f64,
     /// The largest turn of the tool axis over the path, from where it first feeds, rad.
@@ -62,6 +64,7 @@ impl Survey {
             rapid_extent: None,
             feeds: None,
             feed_time: Some(0.0),
+            spindles: None,
             tilt: 0.0,
             turn: 0.0,
             samples: 0,
@@ -106,9 +109,11 @@ impl Survey {
     }
 
     fn take_time(&mut self, one: &Move, length: f64) {
+        if let Some(spindle) = one.given.spindle {
+            self.spindles = Some(widened(self.spindles, spindle));
+        }
         if let Some(feed) = one.feed {
-            let known = self.feeds.map_or([feed; 2], |feeds| [feeds.min(), feeds.max()]);
-            self.feeds = Some(Interval::spanning(known[0].min(feed), known[1].max(feed)));
+            self.feeds = Some(widened(self.feeds, feed));
             self.feed_time = self.feed_time.map(|time| time + length / feed);
         } else if 0.0 < length {
             self.feed_time = None;
@@ -127,6 +132,13 @@ impl Survey {
             }
         }
     }
+}
+
+/// An interval that holds a number, too.
+fn widened(known: Option<Interval>, number: f64) -> Interval {
+    known.map_or(Interval::spanning(number, number), |known| {
+        Interval::spanning(known.min().min(number), known.max().max(number))
+    })
 }
 
 /// A box that holds a tip, too.

@@ -24,6 +24,7 @@ fields! {
         "Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the path; null where there is none.";
     FEEDS: "feed_mm_per_min", numbers(Unit::MillimetrePerMinute, &["feed_min_mm_per_min", "feed_max_mm_per_min"]), "The smallest and the largest feed rate; null where none is said.";
     FEED_TIME: "time_s", Kind::Number(Unit::Second), "Time of all feed moves; null where a feed rate is missing.";
+    SPINDLE_SPEEDS: "spindle_speeds_rpm", numbers(Unit::Given("rpm"), &["spindle_min_rpm", "spindle_max_rpm"]), "The slowest and the fastest that the spindle turns while it feeds; null where it is not said.";
     TILT: "tilt_deg", Kind::Number(Unit::Degree), "The largest angle between tool axis and z while it feeds.";
     AXIS_TURN: "turn_deg", Kind::Number(Unit::Degree), "The largest angle of the tool axis to where it first feeds.";
     CHORD_ERROR: "chord_error_mm", Kind::Number(Unit::Millimetre), "By how much chords between samples are off the arcs at most.";
@@ -35,6 +36,6 @@ fields! {
 shapes! {
     TOOLPATH: "ToolpathDict", "What `mill --dry` answers.", &[slots![
         PATH, PATH_FORMAT, LINES | null, FEED_LENGTH, RAPID_LENGTH, FEED_MOVES, RAPID_MOVES, TOOLS, APART, ARCS, FULL_CIRCLES, ARC_LENGTH,
-        BOX | null, RAPID_BOX | null, FEEDS | null, FEED_TIME | null, TILT, AXIS_TURN, SAMPLES_OF_PATH, CHORD_ERROR, ARC_MISS, ASSUMED, IGNORED,
+        BOX | null, RAPID_BOX | null, FEEDS | null, FEED_TIME | null, SPINDLE_SPEEDS | null, TILT, AXIS_TURN, SAMPLES_OF_PATH, CHORD_ERROR, ARC_MISS, ASSUMED, IGNORED,
     ]];
 }

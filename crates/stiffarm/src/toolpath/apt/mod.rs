@@ -363,7 +363,7 @@ impl<'a> Reader<'a> {
         }
         let kind = if is_rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let feed = if is_rapid { None } else { Some(self.speed(word)?) };
-        let given = Given { tool: self.tool, ..Given::default() };
+        let given = Given::under(self.tool, self.spindle.filter(|turns| 0.0 < *turns));
         let one = Move { line, kind, from, to, course, feed, normals: None, given };
         (self.sink)(&one);
         self.tangent = one.direction(1.0).filter(|_| !is_rapid);

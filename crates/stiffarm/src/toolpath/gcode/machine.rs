@@ -36,6 +36,8 @@ pub(super) struct Machine<'a> {
     pub(super) has_moved: bool,
     /// The number of the tool in the spindle.
     pub(super) tool: Option<u32>,
+    /// Turns of the spindle a minute, more than 0.
+    pub(super) spindle: Option<f64>,
     sink: &'a mut dyn FnMut(&Move),
 }
 
@@ -50,6 +52,7 @@ impl<'a> Machine<'a> {
             apart: 0,
             has_moved: false,
             tool: None,
+            spindle: None,
             sink,
         }
     }
@@ -181,7 +184,7 @@ impl<'a> Machine<'a> {
             course,
             feed,
             normals: None,
-            given: Given { tool: self.tool, ..Given::default() },
+            given: Given::under(self.tool, self.spindle),
         });
         self.tip = to.tip;
         self.axis = to.axis;

@@ -57,7 +57,6 @@ pub(super) struct Reader<'a> {
     /// F in the unit in force where it stands, m a minute or a turn, and its line.
     feed: Option<f64>,
     feed_line: usize,
-    spindle: Option<f64>,
     /// From the program's coordinates to the part's, m: by G92 and by G52.
     shifts: [[f64; 3]; 2],
     suspended: [[f64; 3]; 2],
@@ -136,7 +135,6 @@ impl<'a> Reader<'a> {
             feed_mode: FeedMode::PerMinute,
             feed: None,
             feed_line: 0,
-            spindle: None,
             shifts: [[0.0; 3]; 2],
             suspended: [[0.0; 3]; 2],
             system: None,
@@ -238,7 +236,7 @@ impl<'a> Reader<'a> {
             let is_modelled = match letter {
                 letter if once.time == Some(letter) => false,
                 b'X'..=b'Z' | b'I'..=b'K' | b'R' => !once.is_data,
-                b'F' | b'A'..=b'C' => true,
+                b'F' | b'S' | b'A'..=b'C' => true,
                 b'L' => self.cycle.is_some() || once.is_call,
                 b'Q' => self.cycle.is_some(),
                 b'P' => matches!(self.motion, Motion::Clockwise | Motion::CounterClockwise) || once.is_call,
@@ -302,7 +300,6 @@ fn letter_named(letter: char) -> String {
         'H' => " (length offset)",
         'N' => " (block number)",
         'O' => " (program number)",
-        'S' => " (spindle speed)",
         'T' => " (tool)",
         _ => "",
     };

@@ -321,7 +321,7 @@ impl Reader<'_> {
             (self.feed, self.feed_line) = (Some(feed * self.unit.metres()), line);
         }
         if let Some(speed) = block.get(b'S').filter(|_| !is_time(b'S')) {
-            self.spindle = Some(speed);
+            self.machine.spindle = Some(speed).filter(|speed| 0.0 < *speed);
         }
         let mut has_turned = false;
         for (i, letter) in [b'A', b'B', b'C'].into_iter().enumerate() {

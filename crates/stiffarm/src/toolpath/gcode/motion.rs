@@ -169,8 +169,7 @@ impl Reader<'_> {
             }
             FeedMode::PerTurn => {
                 let feed = self.feed.ok_or_else(|| missing("F in this or an earlier block"))?;
-                let speed = self.spindle.filter(|speed| 0.0 < *speed);
-                let speed = speed.ok_or_else(|| missing("S, since F is per turn under G95"))?;
+                let speed = self.machine.spindle.ok_or_else(|| missing("S, since F is per turn under G95"))?;
                 positive(feed * speed / 60.0)
             }
         }
