@@ -6,7 +6,7 @@ use nalgebra::Matrix3x2;
 use stiffarm::cutting::{Edge, Engagement, Milling};
 
 fn mill(edge: Edge) -> Milling {
-    let engagement = Engagement { depth: 1e-3, entry: FRAC_PI_2, exit: PI, feed_per_tooth: 1e-4 };
+    let engagement = Engagement::at_depth(1e-3, [FRAC_PI_2, PI], 1e-4);
     Milling { diameter: 0.016, teeth: 4, helix: 0.0, engagement, edge }
 }
 

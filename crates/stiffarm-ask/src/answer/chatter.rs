@@ -1,8 +1,11 @@
 //! Does a cut swing? The answer as fields and as text.
 
+use std::fmt::Write;
+
 use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::chatter::{Chatter, DepthSpread, Edge, HeldBy, LONGEST, Lobe, Method, Verdict};
+use stiffarm::cutting::Engagement;
 use stiffarm::limits::Pendant;
 use stiffarm::mass::RigidBody;
 use stiffarm::modes::HeldTool;
@@ -128,16 +131,16 @@ impl ChatterAnswer {
     /// What is reported of a cut, whoever asks, but the verdict in words; every key is there where nothing is known, too.
     pub(super) fn put_cut(found: Option<&Self>, record: &mut Record) {
         let chatter = found.map(|found| &found.chatter);
-        let cut = chatter.map(|chatter| chatter.cut.milling.engagement);
+        let cut = chatter.map(|chatter| &chatter.cut.milling.engagement);
         let measured = chatter.and_then(|chatter| chatter.measured.as_ref());
         let edge = |of: fn(&Chatter) -> Option<Edge>| chatter.and_then(of);
         let [at_speed, any_speed] = [edge(|chatter| chatter.at_speed), edge(|chatter| chatter.any_speed)];
         let [other_way, without_delay] = [edge(|chatter| chatter.other_way), edge(|chatter| chatter.without_delay)];
         record
             .put(field::SPINDLE_SPEED, found.map(Self::rpm))
-            .put(field::CUT_DEPTH, cut.map(|cut| cut.depth))
-            .put(field::ENTRY_ANGLE, cut.map(|cut| cut.entry))
-            .put(field::EXIT_ANGLE, cut.map(|cut| cut.exit))
+            .put(field::CUT_DEPTH, cut.map(Engagement::depth))
+            .put(field::ENTRY_ANGLE, cut.map(Engagement::entry))
+            .put(field::EXIT_ANGLE, cut.map(Engagement::exit))
             .put(field::CHATTER_METHOD, found.map(Self::method))
             .put(field::CRITICAL_DEPTH, depth(at_speed))
             .put(field::CRITICAL_DEPTH_P05, chatter.and_then(|chatter| chatter.spread.p05))
@@ -215,15 +218,18 @@ impl ChatterAnswer {
         let with = |edge: Option<Edge>, spread: DepthSpread| {
             if is_drawn { format!("{}; 90 %: {}", depth_of(edge), between(spread)) } else { depth_of(edge) }
         };
-        let cut = chatter.cut.milling.engagement;
+        let cut = &chatter.cut.milling.engagement;
         let degrees = |angle: f64| fixed(angle.to_degrees(), 1);
-        let engagement = format!(
+        let mut engagement = format!(
             "{} mm deep, {} teeth from {} to {} deg",
-            fixed(cut.depth * 1e3, 3),
+            fixed(cut.depth() * 1e3, 3),
             chatter.cut.milling.teeth,
-            degrees(cut.entry),
-            degrees(cut.exit)
+            degrees(cut.entry()),
+            degrees(cut.exit())
         );
+        if 1 < cut.arcs.len() {
+            let _ = write!(engagement, ", in {} arcs of which that is the deepest", cut.arcs.len());
+        }
         let mut lines: Vec<Line> = vec![
             line("cut", engagement),
             line(format!("swings at {} rpm from", fixed(self.rpm(), 0)), with(chatter.at_speed, chatter.spread)),
@@ -247,11 +253,11 @@ impl ChatterAnswer {
 
     /// A depth in parts of that of the cut.
     fn reserve(&self, depth: Option<f64>) -> Option<f64> {
-        Some(depth? / self.chatter.cut.milling.engagement.depth)
+        Some(depth? / self.chatter.cut.milling.engagement.depth())
     }
 
     fn reserves(&self) -> String {
-        let most = LONGEST / self.chatter.cut.milling.engagement.depth;
+        let most = LONGEST / self.chatter.cut.milling.engagement.depth();
         let [at_speed, p05, p95] = [depth(self.chatter.at_speed), self.chatter.spread.p05, self.chatter.spread.p95]
             .map(|depth| {
                 self.reserve(depth).map_or_else(|| format!("more than {}", fixed(most, 1)), |share| fixed(share, 3))
@@ -286,7 +292,7 @@ impl ChatterAnswer {
 
     /// What a figure says below its title.
     pub fn heading(&self) -> String {
-        let (rpm, depth) = (fixed(self.rpm(), 0), fixed(self.chatter.cut.milling.engagement.depth * 1e3, 3));
+        let (rpm, depth) = (fixed(self.rpm(), 0), fixed(self.chatter.cut.milling.engagement.depth() * 1e3, 3));
         format!("{depth} mm at {rpm} rpm: {}; {}", self.verdict(), self.file)
     }
 

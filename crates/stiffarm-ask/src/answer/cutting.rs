@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::numbers::rpm;
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, schema_of, shape, under};
 use stiffarm::catalogue::ProcessFile;
-use stiffarm::cutting::{CuttingForce, Law, Measured, MeasuredAxes, Milling, Side};
+use stiffarm::cutting::{CuttingForce, Engagement, Law, Measured, MeasuredAxes, Milling, Side};
 
 /// The answer of `force`, with what was asked.
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ impl CuttingAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { file, process, force } = self;
-        let (material, cut) = (process.material.as_ref(), self.milling().map(|milling| milling.engagement));
+        let (material, cut) = (process.material.as_ref(), self.milling().map(|milling| &milling.engagement));
         let mut record = Record::of(&shape::FORCE);
         record
             .put(field::PROCESS, file)
@@ -60,8 +60,8 @@ impl CuttingAnswer {
             .put(field::MOMENT, force.moment)
             .put(field::POWER, force.power)
             .put(field::SPINDLE_SPEED, self.rpm())
-            .put(field::ENTRY_ANGLE, cut.map(|cut| cut.entry))
-            .put(field::EXIT_ANGLE, cut.map(|cut| cut.exit))
+            .put(field::ENTRY_ANGLE, cut.map(Engagement::entry))
+            .put(field::EXIT_ANGLE, cut.map(Engagement::exit))
             .put(field::ASSUMED, serde_json::json!(process.assumed));
         record
     }
@@ -95,17 +95,17 @@ impl CuttingAnswer {
             lines.push(line("", &material.source));
         }
         if let Some(milling) = self.milling() {
-            let cut = milling.engagement;
+            let cut = &milling.engagement;
             let degrees = |angle: f64| fixed(angle.to_degrees(), 2);
             let of = format!("{} mm, {} teeth", fixed(milling.diameter * 1e3, 2), milling.teeth);
             lines.push(line("tool", format!("{of}, helix {} deg", degrees(milling.helix))));
-            let (depth, feed) = (fixed(cut.depth * 1e3, 3), fixed(cut.feed_per_tooth * 1e3, 4));
+            let (depth, feed) = (fixed(cut.depth() * 1e3, 3), fixed(cut.feed_per_tooth * 1e3, 4));
             lines.push(line(
                 "engagement",
                 format!(
                     "{depth} mm deep, {feed} mm per tooth, from {} to {} deg",
-                    degrees(cut.entry),
-                    degrees(cut.exit)
+                    degrees(cut.entry()),
+                    degrees(cut.exit())
                 ),
             ));
         }
@@ -147,13 +147,13 @@ impl CuttingAnswer {
     /// What a figure says of the engagement.
     pub fn heading(&self) -> String {
         self.milling().map_or_else(String::new, |milling| {
-            let cut = milling.engagement;
-            let side = match (cut.entry, cut.exit) {
+            let cut = &milling.engagement;
+            let side = match (cut.entry(), cut.exit()) {
                 (0.0, exit) if exit < std::f64::consts::PI => Side::Up.name(),
                 (entry, _) if 0.0 < entry => Side::Down.name(),
                 _ => Side::Slot.name(),
             };
-            let [d, a, c] = [milling.diameter, cut.depth, cut.feed_per_tooth].map(|metres| fixed(metres * 1e3, 3));
+            let [d, a, c] = [milling.diameter, cut.depth(), cut.feed_per_tooth].map(|metres| fixed(metres * 1e3, 3));
             format!("{d} mm, {} teeth, {side}, {a} mm deep, {c} mm per tooth", milling.teeth)
         })
     }

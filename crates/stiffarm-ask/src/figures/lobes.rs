@@ -26,7 +26,7 @@ pub(crate) fn svg(answer: &ChatterAnswer, figure_size: &FigureSize) -> String {
     let title = format!("{}: from which depth a cut swings with the arm", answer.robot.full_name());
     let top = heading(&mut canvas, &title, &answer.heading()) + 20.0;
     let points = points(answer);
-    let own = [answer.rpm(), found.cut.milling.engagement.depth * 1e3];
+    let own = [answer.rpm(), found.cut.milling.engagement.depth() * 1e3];
     let edge = found.at_speed.map(|edge: Edge| edge.depth * 1e3);
     // Draws that swing far above both the cut and its edge must not press them flat: the legend says that the band goes on.
     let most = edge.map_or(own[1], |edge| edge.max(own[1]));

@@ -308,8 +308,7 @@ fn milling(
     }
     cut.finish(&[]);
     let (diameter, depth, side, width, feed) = (diameter? * 1e-3, depth? * 1e-3, side?, width? * 1e-3, feed? * 1e-3);
-    let [entry, exit] = Engagement::angles(side, width, diameter);
-    let engagement = Engagement { depth, entry, exit, feed_per_tooth: feed };
+    let engagement = Engagement::at_depth(depth, Engagement::angles(side, width, diameter), feed);
     Some(Law::Milling(Milling { diameter, teeth: teeth? as usize, helix: helix.to_radians(), engagement, edge: edge? }))
 }
 
@@ -336,8 +335,8 @@ mod tests {
         let found = read_process(GOOD, "p").unwrap().process;
         assert!((found.spindle.unwrap() - 400.0 * std::f64::consts::PI).abs() < 1e-9);
         let Law::Milling(milling) = found.law else { panic!("a mill") };
-        assert_eq!((milling.diameter, milling.teeth, milling.engagement.depth), (0.016, 4, 0.002));
-        assert_eq!(milling.engagement.exit, std::f64::consts::PI);
+        assert_eq!((milling.diameter, milling.teeth, milling.engagement.depth()), (0.016, 4, 0.002));
+        assert_eq!(milling.engagement.exit(), std::f64::consts::PI);
         assert_eq!(read_process(GOOD, "p").unwrap().shank, None);
         let with_shank = GOOD.replace("teeth = 4", "teeth = 4\nflute_mm = 30\nshank_mm = 20");
         assert_eq!(read_process(&with_shank, "p").unwrap().shank, Some(Shank { flute: 0.03, diameter: 0.02 }));

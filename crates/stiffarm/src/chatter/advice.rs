@@ -1,7 +1,5 @@
 //! What else could be done about a cut that swings: another speed of the spindle, or the feed the other way.
 
-use std::f64::consts::PI;
-
 use nalgebra::{Matrix3, Vector3};
 
 use super::Chatter;
@@ -9,7 +7,7 @@ use super::curve::Edge;
 use super::cut::Cut;
 use super::teeth::Teeth;
 use super::tip::Tip;
-use crate::cutting::{Engagement, Milling};
+use crate::cutting::Milling;
 
 /// Speeds that are looked at, as shares of the spindle's.
 const NEARBY: [f64; 2] = [0.5, 1.5];
@@ -26,7 +24,7 @@ impl Chatter {
             return None;
         }
         let nearby = NEARBY[0] - ROUNDED..=NEARBY[1] + ROUNDED;
-        let (depth, mut found, mut goes_on) = (self.cut.milling.engagement.depth, Vec::<[f64; 2]>::new(), false);
+        let (depth, mut found, mut goes_on) = (self.cut.milling.engagement.depth(), Vec::<[f64; 2]>::new(), false);
         for lobe in self.lobes.iter().filter(|lobe| nearby.contains(&(lobe.spindle / self.cut.spindle))) {
             let is_calm = lobe.spread?.p05.is_none_or(|p05| depth < p05);
             match found.last_mut().filter(|_| goes_on && is_calm) {
@@ -43,9 +41,7 @@ impl Cut {
     /// The same material at the same place, and the feed turned round: up milling for down, down for up.
     #[must_use]
     pub fn other_way(&self) -> Self {
-        let engagement = self.milling.engagement;
-        let engagement = Engagement { entry: PI - engagement.exit, exit: PI - engagement.entry, ..engagement };
-        Self { milling: Milling { engagement, ..self.milling }, ..*self }
+        Self { milling: Milling { engagement: self.milling.engagement.mirrored(), ..self.milling }, ..*self }
     }
 }
 

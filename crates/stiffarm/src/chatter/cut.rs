@@ -15,7 +15,7 @@ const SHORT: f64 = 0.5 + 1e-9;
 pub const LONGEST: f64 = 0.3;
 
 /// A flat mill, turning right, in its cut.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Cut {
     /// Tool and engagement.
     pub milling: Milling,
@@ -76,7 +76,7 @@ impl Cut {
     /// What is not covered, by its name.
     pub fn of(process: &Process) -> Result<Self, ChatterError> {
         let name = match &process.law {
-            Law::Milling(milling) => return Self::of_mill(*milling, process),
+            Law::Milling(milling) => return Self::of_mill(milling.clone(), process),
             Law::Worst(_) => "a force in any direction",
             Law::Constant(_) => "a constant force",
             Law::Drilling { .. } => "drilling",
@@ -107,8 +107,8 @@ impl Cut {
 
     /// For which share of a pitch a tooth cuts; more than 1 where several cut at once.
     pub fn duty(&self) -> f64 {
-        let engagement = self.milling.engagement;
-        (engagement.exit - engagement.entry) * self.milling.teeth as f64 / TAU
+        let engagement = &self.milling.engagement;
+        (engagement.exit() - engagement.entry()) * self.milling.teeth as f64 / TAU
     }
 
     /// Does each tooth cut for half of the time or less?

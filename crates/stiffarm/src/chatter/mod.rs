@@ -128,7 +128,7 @@ impl Chatter {
     /// Does the cut swing, as far as robot modes and what was measured tell? Nothing is decided by a table that is coarse or ends below the frequency at which
     /// teeth pass.
     pub fn verdict(&self) -> Verdict {
-        let depth = self.cut.milling.engagement.depth;
+        let depth = self.cut.milling.engagement.depth();
         let is_vague = self.ends_below_teeth() || self.measured.as_ref().is_some_and(|measured| measured.is_coarse);
         if self.drives_are_assumed || is_vague {
             return Verdict::NotDecided;

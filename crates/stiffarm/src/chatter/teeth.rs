@@ -148,7 +148,7 @@ impl<'a> Teeth<'a> {
     fn passage(&self, spindle: f64, steps: usize) -> Passage {
         let (period, duty) = (self.cut.period_at(spindle), self.cut.duty().min(1.0));
         let pitch = TAU / self.cut.milling.teeth as f64;
-        let angle = |i: usize| self.cut.milling.engagement.entry + pitch * duty * i as f64 / steps as f64;
+        let angle = |i: usize| self.cut.milling.engagement.entry() + pitch * duty * i as f64 / steps as f64;
         Passage {
             factors: (0..steps).map(|i| self.cut.milling.step_directional(angle(i), angle(i + 1))).collect(),
             step: period * duty / steps as f64,
@@ -248,11 +248,11 @@ mod tests {
             mode(310.0, 0.03, [0.06, 0.01, 0.0]),
             mode(1640.0, 0.03, [0.3, -0.2, 0.1]),
         ]);
-        let engagement = Engagement { depth: 1e-3, entry: 2.0, exit: PI, feed_per_tooth: 1e-4 };
+        let engagement = Engagement::at_depth(1e-3, [2.0, PI], 1e-4);
         let edge = Force::Linear { chip: [1800e6, 900e6, 0.0], rubbing: [0.0; 3] };
         let milling = Milling { diameter: 0.05, teeth: 2, helix: 0.0, engagement, edge };
         for rpm in [400.0, 1500.0, 4000.0, 12_000.0] {
-            let cut = Cut { milling, spindle: rpm * TAU / 60.0 };
+            let cut = Cut { milling: milling.clone(), spindle: rpm * TAU / 60.0 };
             let teeth = Teeth::of(&motion, &cut);
             let passage = teeth.passage(cut.spindle, 60);
             for depth in [1e-5, 2e-4, 1e-3, 5e-3] {

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use nalgebra::Matrix3x2;
 
 use super::edge::Edge;
-use super::milling::Milling;
+use super::milling::{CutArc, Milling};
 use super::quadrature::integral;
 
 impl Milling {
@@ -37,23 +37,33 @@ impl Milling {
         }
     }
 
-    /// The mean over a revolution, `A0 = N/2pi int v [sin, cos] dphi` from entry to exit, N/m^2; axes as in [`Self::directional`].
+    /// The mean over a revolution a m of the largest depth, `A0 = N/2pi int v [sin, cos] dphi` over the arcs, each by its share of that depth,
+    /// N/m^2; axes as in [`Self::directional`].
     pub fn mean_directional(&self) -> Matrix3x2<f64> {
-        self.directional(self.engagement.entry, self.engagement.exit) * (self.teeth as f64 / TAU)
+        self.shares().map(|(arc, share)| self.directional(arc.entry, arc.exit) * share).sum::<Matrix3x2<f64>>()
+            * (self.teeth as f64 / TAU)
     }
 
-    /// The mean over the angles `from..to` of the first tooth, of all teeth that cut meanwhile, N/m^2; axes as in [`Self::directional`].
+    /// The mean over the angles `from..to` of the first tooth, of all teeth that cut meanwhile, N/m^2 as [`Self::mean_directional`].
     pub fn step_directional(&self, from: f64, to: f64) -> Matrix3x2<f64> {
-        let (entry, exit, pitch) = (self.engagement.entry, self.engagement.exit, TAU / self.teeth as f64);
+        let pitch = TAU / self.teeth as f64;
         let mut sum = Matrix3x2::zeros();
-        // Tooth `j` stands `j` pitches from the first: those that reach into the cut.
-        for j in ((entry - to) / pitch).floor() as i64..=((exit - from) / pitch).ceil() as i64 {
-            let by = pitch * j as f64;
-            let (from, to) = ((from + by).max(entry), (to + by).min(exit));
-            if from < to {
-                sum += self.directional(from, to);
+        for (&CutArc { entry, exit, .. }, share) in self.shares() {
+            // Tooth `j` stands `j` pitches from the first: those that reach into the cut.
+            for j in ((entry - to) / pitch).floor() as i64..=((exit - from) / pitch).ceil() as i64 {
+                let by = pitch * j as f64;
+                let (from, to) = ((from + by).max(entry), (to + by).min(exit));
+                if from < to {
+                    sum += self.directional(from, to) * share;
+                }
             }
         }
         sum / (to - from)
+    }
+
+    /// Each arc with its depth in parts of the largest.
+    fn shares(&self) -> impl Iterator<Item = (&CutArc, f64)> {
+        let largest = self.engagement.depth();
+        self.engagement.arcs.iter().map(move |arc| (arc, arc.depth / largest))
     }
 }

@@ -38,20 +38,61 @@ impl Side {
     }
 }
 
-/// Where the teeth cut.
+/// An arc over which the teeth cut at one depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Engagement {
+pub struct CutArc {
     /// Axial depth, m.
     pub depth: f64,
     /// From the left of the feed in the sense of the rotation, rad, `0 <= entry < exit <= pi`.
     pub entry: f64,
     /// Where the tooth leaves, rad.
     pub exit: f64,
+}
+
+impl CutArc {
+    /// The same material seen in a mirror along the feed: what was left is right.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { depth: self.depth, entry: PI - self.exit, exit: PI - self.entry }
+    }
+}
+
+/// Where the teeth cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Engagement {
+    /// At least one; by their angles, none over another.
+    pub arcs: Vec<CutArc>,
     /// Along the feed, m.
     pub feed_per_tooth: f64,
 }
 
 impl Engagement {
+    /// At one depth, m, between two angles, rad.
+    pub fn at_depth(depth: f64, [entry, exit]: [f64; 2], feed_per_tooth: f64) -> Self {
+        Self { arcs: vec![CutArc { depth, entry, exit }], feed_per_tooth }
+    }
+
+    /// The largest axial depth, m.
+    pub fn depth(&self) -> f64 {
+        self.arcs.iter().map(|arc| arc.depth).fold(0.0, f64::max)
+    }
+
+    /// Where a tooth first enters, rad.
+    pub fn entry(&self) -> f64 {
+        self.arcs.first().map_or(0.0, |arc| arc.entry)
+    }
+
+    /// Where it last leaves, rad.
+    pub fn exit(&self) -> f64 {
+        self.arcs.last().map_or(0.0, |arc| arc.exit)
+    }
+
+    /// The same material seen in a mirror along the feed.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { arcs: self.arcs.iter().rev().map(CutArc::mirrored).collect(), ..*self }
+    }
+
     /// The angles of a radial width, m, of a tool of a diameter, m.
     pub fn angles(side: Side, width: f64, diameter: f64) -> [f64; 2] {
         let wrapped = (1.0 - 2.0 * width / diameter).clamp(-1.0, 1.0).acos();
@@ -64,7 +105,7 @@ impl Engagement {
 }
 
 /// A mill in its work.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Milling {
     /// m.
     pub diameter: f64,
@@ -86,20 +127,31 @@ type Felt = [f64; 4];
 
 impl Milling {
     fn check(&self) -> Result<(), CuttingError> {
-        let Engagement { depth, entry, exit, feed_per_tooth } = self.engagement;
+        let Engagement { arcs, feed_per_tooth } = &self.engagement;
         let value = |what, value: f64, is_well: bool, expected| {
             if is_well { Ok(()) } else { Err(CuttingError::Value { what, value, expected }) }
         };
         value("a diameter", self.diameter, 0.0 < self.diameter && self.diameter <= 1.0, "more than 0 and at most 1 m")?;
         value("a number of teeth", self.teeth as f64, (1..=1000).contains(&self.teeth), "1 to 1000")?;
         value("a helix angle", self.helix, (0.0..=1.4).contains(&self.helix), "0 to 1.4 rad")?;
-        value("a depth of cut", depth, 0.0 < depth && depth <= 1.0, "more than 0 and at most 1 m")?;
-        value("an entry angle", entry, 0.0 <= entry && entry < exit, "at least 0 and less than the exit angle")?;
-        value("an exit angle", exit, exit <= PI + 1e-9, "at most pi rad")?;
+        let mut from = 0.0;
+        for &CutArc { depth, entry, exit } in arcs {
+            value("a depth of cut", depth, 0.0 < depth && depth <= 1.0, "more than 0 and at most 1 m")?;
+            let is_behind = from <= entry && entry < exit;
+            value(
+                "an entry angle",
+                entry,
+                is_behind,
+                "at least 0 and less than the exit angle, behind the arc before",
+            )?;
+            value("an exit angle", exit, exit <= PI + 1e-9, "at most pi rad")?;
+            from = exit;
+        }
+        value("a number of arcs", arcs.len() as f64, !arcs.is_empty(), "at least 1")?;
         value(
             "a feed per tooth",
-            feed_per_tooth,
-            0.0 < feed_per_tooth && feed_per_tooth <= 0.1,
+            *feed_per_tooth,
+            0.0 < *feed_per_tooth && *feed_per_tooth <= 0.1,
             "more than 0 and at most 0.1 m",
         )
     }
@@ -121,7 +173,15 @@ impl Milling {
     /// z: -K_ac c [cos] + K_ae [phi]          moment: D/2 (-K_tc c [cos] + K_te [phi])
     /// ```
     fn mean(&self) -> Felt {
-        let Engagement { depth, entry, exit, feed_per_tooth: c } = self.engagement;
+        self.sum_over_arcs(|arc| self.mean_of(arc))
+    }
+
+    fn sum_over_arcs(&self, felt: impl Fn(&CutArc) -> Felt) -> Felt {
+        self.engagement.arcs.iter().map(felt).fold([0.0; 4], |sum, felt| std::array::from_fn(|i| sum[i] + felt[i]))
+    }
+
+    fn mean_of(&self, &CutArc { depth, entry, exit }: &CutArc) -> Felt {
+        let c = self.engagement.feed_per_tooth;
         let over = match self.edge {
             Edge::Power { .. } => integral(|phi| self.tooth(phi), entry, exit, 64),
             Edge::Linear { chip: [tc, rc, ac], rubbing: [te, re, ae] } => {
@@ -140,17 +200,21 @@ impl Milling {
         over.map(|part| part * self.teeth as f64 * depth / TAU)
     }
 
-    /// The angle by which the top of the cut lags behind its bottom, rad: `2 a tan(helix) / D`.
-    fn lag(&self) -> f64 {
-        2.0 * self.engagement.depth * self.helix.tan() / self.diameter
+    /// The angle by which the top of an arc lags behind its bottom, rad: `2 a tan(helix) / D`.
+    fn lag(&self, arc: &CutArc) -> f64 {
+        2.0 * arc.depth * self.helix.tan() / self.diameter
     }
 
     /// What the tool feels when the bottom of its first tooth stands at an angle.
     ///
     /// Along a tooth the angle falls evenly by the lag: the integral over the depth is one over the angle.
     fn at(&self, angle: f64) -> Felt {
-        let Engagement { depth, entry, exit, .. } = self.engagement;
-        let (lag, mut sum) = (self.lag(), [0.0; 4]);
+        self.sum_over_arcs(|arc| self.at_of(arc, angle))
+    }
+
+    fn at_of(&self, arc: &CutArc, angle: f64) -> Felt {
+        let CutArc { depth, entry, exit } = *arc;
+        let (lag, mut sum) = (self.lag(arc), [0.0; 4]);
         for tooth in 0..self.teeth {
             let at = angle + TAU * tooth as f64 / self.teeth as f64;
             let bottom = at.rem_euclid(TAU);
@@ -180,9 +244,9 @@ impl Milling {
     fn telling_angles(&self) -> Vec<f64> {
         const FINE: usize = 720;
         let pitch = TAU / self.teeth as f64;
-        let Engagement { entry, exit, .. } = self.engagement;
         let mut angles: Vec<f64> = (0..FINE).map(|i| pitch * i as f64 / FINE as f64).collect();
-        for edge in [entry, exit, entry + self.lag(), exit + self.lag()] {
+        let edges = |arc: &CutArc| [arc.entry, arc.exit, arc.entry + self.lag(arc), arc.exit + self.lag(arc)];
+        for edge in self.engagement.arcs.iter().flat_map(edges) {
             angles.extend([edge - 1e-9, edge, edge + 1e-9].map(|angle| angle.rem_euclid(pitch)));
         }
         angles
@@ -198,8 +262,18 @@ impl Milling {
     /// By how much the mean force, along feed, across and axial, changes where the tool is moved across (to its left) and axially (away from the
     /// work), N/m: by another width, the sides of the cut being walls along the feed, and by another depth.
     pub(super) fn changes(&self, sense: f64) -> Result<[[f64; 3]; 2], CuttingError> {
-        let Engagement { depth, entry, exit, .. } = self.engagement;
-        let (force, _) = self.checked_mean(sense)?;
+        self.check()?;
+        let mut found = [[0.0; 3]; 2];
+        for arc in &self.engagement.arcs {
+            for (sum, change) in found.iter_mut().zip(self.changes_of(arc, sense)) {
+                (0..3).for_each(|i| sum[i] += change[i]);
+            }
+        }
+        Ok(found)
+    }
+
+    /// Where one arc ends and the next begins, both change by the step between them.
+    fn changes_of(&self, &CutArc { depth, entry, exit }: &CutArc, sense: f64) -> [[f64; 3]; 2] {
         let radius = self.diameter / 2.0;
         let step = (1e-3 * radius).min(0.1 * radius * (entry.cos() - exit.cos()));
         // Turned the other way the picture is mirrored: there to the left is to the right.
@@ -208,12 +282,11 @@ impl Milling {
                 let is_wall = 1e-9 < angle && angle < PI - 1e-9;
                 if is_wall { (angle.cos() - by / radius).clamp(-1.0, 1.0).acos() } else { angle }
             };
-            let engagement = Engagement { entry: wall(entry), exit: wall(exit), ..self.engagement };
-            Self { engagement, ..*self }.checked_mean(sense).map(|(force, _)| force)
+            self.mean_of(&CutArc { depth, entry: wall(entry), exit: wall(exit) })
         };
-        let [less, more] = [moved(-sense * step)?, moved(sense * step)?];
-        let across = std::array::from_fn(|i| (more[i] - less[i]) / (2.0 * step));
-        Ok([across, force.map(|part| -part / depth)])
+        let turned = |[x, y, z, _]: Felt| [x, sense * y, z];
+        let [force, less, more] = [moved(0.0), moved(-sense * step), moved(sense * step)].map(turned);
+        [std::array::from_fn(|i| (more[i] - less[i]) / (2.0 * step)), force.map(|part| -part / depth)]
     }
 
     /// Mean, extremes and a revolution; `sense` is 1 where the tool turns clockwise from above, else -1.
@@ -245,7 +318,7 @@ mod tests {
 
     fn mill(side: Side, width: f64, helix: f64, edge: Edge) -> Milling {
         let [entry, exit] = Engagement::angles(side, width, 0.016);
-        let engagement = Engagement { depth: 0.002, entry, exit, feed_per_tooth: 1e-4 };
+        let engagement = Engagement::at_depth(0.002, [entry, exit], 1e-4);
         Milling { diameter: 0.016, teeth: 4, helix, engagement, edge }
     }
 
@@ -282,13 +355,18 @@ mod tests {
                     let mean = one.mean();
                     // Straight teeth: over the angles of the cut, where nothing jumps. Else over the revolution, which is periodic.
                     let summed = if helix == 0.0 {
-                        let Engagement { entry, exit, depth, .. } = one.engagement;
+                        let CutArc { entry, exit, depth } = one.engagement.arcs[0];
                         integral(|phi| one.tooth(phi), entry, exit, 200).map(|part| part * 4.0 * depth / TAU)
                     } else {
-                        let Engagement { entry, exit, .. } = one.engagement;
-                        let mut breaks: Vec<f64> = [entry, exit, entry + one.lag(), exit + one.lag()]
-                            .map(|at| at.rem_euclid(TAU / 4.0))
-                            .to_vec();
+                        let CutArc { entry, exit, .. } = one.engagement.arcs[0];
+                        let mut breaks: Vec<f64> = [
+                            entry,
+                            exit,
+                            entry + one.lag(&one.engagement.arcs[0]),
+                            exit + one.lag(&one.engagement.arcs[0]),
+                        ]
+                        .map(|at| at.rem_euclid(TAU / 4.0))
+                        .to_vec();
                         breaks.extend([0.0, TAU / 4.0]);
                         breaks.sort_by(f64::total_cmp);
                         let mut sum = [0.0; 4];
@@ -352,7 +430,7 @@ mod tests {
         let of = |side: Side, width: f64, depth: f64| {
             let [entry, exit] = Engagement::angles(side, width, 0.016);
             let edge = Edge::Linear { chip: [8e8, 2e8, 2e8], rubbing: [3e4, 3e4, 1e3] };
-            let engagement = Engagement { depth, entry, exit, feed_per_tooth: 1e-4 };
+            let engagement = Engagement::at_depth(depth, [entry, exit], 1e-4);
             Milling { diameter: 0.016, teeth: 4, helix: 0.5, engagement, edge }
         };
         let mean = |milling: Milling, sense: f64| milling.checked_mean(sense).unwrap().0;
@@ -391,13 +469,13 @@ mod tests {
     fn engagements_that_are_none_are_refused() {
         let good = mill(Side::Up, 0.004, 0.6, LINEAR);
         let cut = |change: fn(&mut Milling)| {
-            let mut one = good;
+            let mut one = good.clone();
             change(&mut one);
             one.force(1.0)
         };
         assert!(cut(|_| ()).is_ok());
-        assert!(cut(|one| one.engagement.depth = f64::NAN).is_err());
-        assert!(cut(|one| one.engagement.exit = one.engagement.entry).is_err());
+        assert!(cut(|one| one.engagement.arcs[0].depth = f64::NAN).is_err());
+        assert!(cut(|one| one.engagement.arcs[0].exit = one.engagement.entry()).is_err());
         assert!(cut(|one| one.engagement.feed_per_tooth = 0.0).is_err());
         assert!(cut(|one| one.teeth = 0).is_err());
         assert!(cut(|one| one.diameter = f64::INFINITY).is_err());

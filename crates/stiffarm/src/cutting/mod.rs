@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 
 pub use edge::Edge;
 pub use measured::{Along, Measured, MeasuredAxes, MeasuredForce};
-pub use milling::{Engagement, Milling, Side};
+pub use milling::{CutArc, Engagement, Milling, Side};
 
 /// The largest force that is taken, N.
 const MOST: f64 = 1e6;

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use super::stations::{Acting, Station, StationCut, cut, cutting_axes};
 use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
-use crate::stock::{Engaged, Stock, StockError};
+use crate::stock::{Engaged, Stock, StockError, Through};
 use crate::toolpath::{Given, Move, MoveKind, Sample, Steps, of_line};
 use crate::watch::{Stopped, Watch};
 
@@ -19,6 +19,8 @@ const SHARP: f64 = PI / 6.0;
 const NARROW: f64 = 1e-6;
 /// Below this part of its way across a move goes straight down.
 const STRAIGHT_DOWN: f64 = 1e-6;
+/// A ramp that falls by more is steep, rad.
+const STEEP: f64 = PI / 6.0;
 
 /// Where the force comes from where the path says none.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +85,11 @@ pub enum ForcedError {
         "the path never meets the stock, so that nothing pushes on the tool; expected the block in mm, in the path's own frame"
     )]
     Missed,
+    /// Nothing is known of what it cuts.
+    #[error(
+        "the path cuts the stock between its samples and at none of them, so that no force is known; expected a smaller step (step-mm)"
+    )]
+    Between,
     /// It is no longer wanted.
     #[error(transparent)]
     Stopped(#[from] Stopped),
@@ -135,7 +142,7 @@ pub fn forced(
     let (mut next, mut clock) = (0, Clock { way: 0.0, time: Some(0.0) });
     let stations = cut(moves, steps, |one, sample| {
         watch.go_on()?;
-        let engaged = in_work.as_ref().map(|engaged| engaged[next]);
+        let engaged = in_work.as_ref().map(|(engaged, _)| engaged[next].as_ref());
         next += 1;
         let time = clock.at(sample);
         let is_given = one.given.force.is_some() || one.given.axial_depth.is_some() && one.given.radial_width.is_some();
@@ -148,7 +155,10 @@ pub fn forced(
         }
         let found = match (forcing, engaged) {
             (_, Some(None)) => return Ok((None, None)),
-            (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(at(sample.line)),
+            (Forcing::Process(process), Some(Some(engaged))) => {
+                let across = sample.direction.map_or(1.0, |way| way.xy().norm());
+                in_stock(process, engaged, across).map_err(at(sample.line))
+            }
             (Forcing::Process(Process { law: Law::Measured(measured), .. }), None) => {
                 as_measured(measured, sample, time).map(|acting| (acting, None))
             }
@@ -159,8 +169,8 @@ pub fn forced(
         };
         found.map(|(acting, cut)| (Some(acting), cut))
     })?;
-    if has_stock && stations.iter().all(|station| station.acting.is_none()) {
-        return Err(ForcedError::Missed);
+    if let Some((_, between)) = in_work.filter(|_| stations.iter().all(|station| station.acting.is_none())) {
+        return Err(if between == 0 { ForcedError::Missed } else { ForcedError::Between });
     }
     remarks.extend(about_feeds(&stations, forcing));
     remarks.extend(about_spindle(moves, forcing));
@@ -230,7 +240,8 @@ fn about_spindle(moves: &[Move], forcing: &Forcing) -> Option<String> {
 
 /// What is to be said of a cut that is taken from the process, wherever the tool is; `taken` says of every station whether it is.
 fn about_engagement(stations: &[Station], taken: &[bool], milling: &Milling) -> Vec<String> {
-    let Engagement { depth, entry, exit, .. } = milling.engagement;
+    let engagement = &milling.engagement;
+    let (depth, entry, exit) = (engagement.depth(), engagement.entry(), engagement.exit());
     if !taken.contains(&true) {
         return Vec::new();
     }
@@ -271,33 +282,40 @@ fn about_engagement(stations: &[Station], taken: &[bool], milling: &Milling) -> 
     found
 }
 
-/// What of a mill is in the stock at every sample.
+/// What of a mill is in the stock at every sample, and how often something is cut at none of them.
 fn through(
     stock: &mut Stock,
     (moves, steps): (&[Move], &Steps),
     milling: &Milling,
     remarks: &mut Vec<String>,
     watch: Watch,
-) -> Result<Vec<Option<Engaged>>, ForcedError> {
-    let (mut found, mut plunging, mut in_pieces) = (Vec::new(), 0, 0);
+) -> Result<(Vec<Option<Engaged>>, usize), ForcedError> {
+    let (mut found, mut feeding, mut in_air, mut plunging, mut steep) = (Vec::new(), 0, 0, 0, 0);
     let mut each = |sample: &Sample, engaged: Option<Engaged>| {
-        let goes_down = sample.direction.is_some_and(|way| way.z < 0.0 && way.xy().norm() < STRAIGHT_DOWN);
-        plunging += usize::from(sample.is_cutting && goes_down);
-        in_pieces += usize::from(engaged.is_some_and(|engaged| 1 < engaged.pieces));
+        let falls = sample.direction.filter(|way| sample.is_cutting && way.z < 0.0).map(|way| way.xy().norm());
+        let goes_down = falls.is_some_and(|across| across < STRAIGHT_DOWN);
+        feeding += usize::from(sample.is_cutting);
+        plunging += usize::from(goes_down);
+        steep += usize::from(!goes_down && engaged.is_some() && falls.is_some_and(|across| across < STEEP.cos()));
+        in_air += usize::from(sample.is_cutting && engaged.is_none() && !goes_down);
         found.push(engaged);
     };
-    let hit = stock.follow(moves, steps, milling.diameter / 2.0, &mut each, watch)?;
-    remarks.extend(hit.map(|line| format!("line {line}: a rapid move goes through the stock")));
-    if 0 < plunging {
-        remarks
-            .push(format!("{plunging} samples feed straight down: no force of a mill is known there, none is taken"));
+    let Through { rapid, between } = stock.follow(moves, steps, milling.diameter / 2.0, &mut each, watch)?;
+    remarks.extend(rapid.map(|line| format!("line {line}: a rapid move goes through the stock")));
+    let mut tell = |count: usize, what: &str| remarks.extend((0 < count).then(|| format!("{count} {what}")));
+    tell(plunging, "samples feed straight down: no force of a mill is known there, none is taken");
+    tell(steep, "samples feed down by more than 30 deg: what the end of the mill cuts there is not in the force");
+    tell(
+        between,
+        "times something of the stock is cut between two samples and at neither: a smaller step (step-mm) tells it",
+    );
+    if feeding < 2 * in_air {
+        tell(
+            in_air,
+            &format!("of {feeding} samples that feed meet no stock: is the block where the work is, and in mm?"),
+        );
     }
-    if 0 < in_pieces {
-        remarks.push(format!(
-            "{in_pieces} samples are in the work with several pieces of the rim: taken from the first to the last"
-        ));
-    }
-    Ok(found)
+    Ok((found, between))
 }
 
 /// What pushes, and how a mill cuts.
@@ -311,14 +329,14 @@ fn cutting(process: &Process) -> Result<Cutting, CuttingError> {
         |(force, moment)| Acting::Known { force, moment },
     );
     let Law::Milling(milling) = &process.law else { return Ok((acting, None)) };
-    let of_mill = |changes| Arc::new(StationCut { engagement: milling.engagement, changes });
+    let of_mill = |changes| Arc::new(StationCut { engagement: milling.engagement.clone(), changes });
     Ok((acting, process.changes()?.map(of_mill)))
 }
 
-/// A mill of a process at what of it is in the stock.
-fn in_stock(process: &Process, engaged: &Engaged) -> Result<Cutting, CuttingError> {
+/// A mill of a process at what of it is in the stock; `across` is how much of the feed goes across the axis, which makes the chip.
+fn in_stock(process: &Process, engaged: &Engaged, across: f64) -> Result<Cutting, CuttingError> {
     let Law::Milling(milling) = &process.law else { return cutting(process) };
-    let engagement = engaged.engagement(milling.engagement.feed_per_tooth);
+    let engagement = engaged.engagement(across * milling.engagement.feed_per_tooth, process.is_clockwise);
     cutting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() })
 }
 
@@ -331,13 +349,14 @@ fn as_given(process: &Process, given: &Given) -> Option<Result<Cutting, CuttingE
     if [given.axial_depth, given.radial_width].contains(&Some(0.0)) {
         return Some(Ok((Acting::Known { force: [0.0; 3], moment: 0.0 }, None)));
     }
-    let mut engagement = milling.engagement;
-    engagement.depth = given.axial_depth.unwrap_or(engagement.depth);
-    if let Some(width) = given.radial_width {
+    let usual = &milling.engagement;
+    let depth = given.axial_depth.unwrap_or(usual.depth());
+    let angles = given.radial_width.map_or([usual.entry(), usual.exit()], |width| {
         // The side on which the material is stays that of the process; a slot that becomes narrower is one of up milling.
-        let side = if 0.0 < engagement.entry { Side::Down } else { Side::Up };
-        [engagement.entry, engagement.exit] = Engagement::angles(side, width, milling.diameter);
-    }
+        let side = if 0.0 < usual.entry() { Side::Down } else { Side::Up };
+        Engagement::angles(side, width, milling.diameter)
+    });
+    let engagement = Engagement::at_depth(depth, angles, usual.feed_per_tooth);
     Some(cutting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() }))
 }
 

@@ -93,7 +93,7 @@ impl Acting {
 }
 
 /// How a mill cuts.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StationCut {
     /// Where its teeth are in the work.
     pub engagement: Engagement,

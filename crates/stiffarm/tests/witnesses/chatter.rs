@@ -15,12 +15,12 @@ use crate::modes::{START_DEG, kr210, tx200, tx200_spindle};
 const RIGID: f64 = f64::INFINITY;
 
 pub(crate) fn mill(teeth: usize, diameter: f64, [entry, exit]: [f64; 2], chip: [f64; 3]) -> Milling {
-    let engagement = Engagement { depth: 1e-3, entry, exit, feed_per_tooth: 1e-4 };
+    let engagement = Engagement::at_depth(1e-3, [entry, exit], 1e-4);
     Milling { diameter, teeth, helix: 0.0, engagement, edge: Edge::Linear { chip, rubbing: [0.0; 3] } }
 }
 
-fn cut(milling: Milling, rpm: f64) -> Cut {
-    Cut { milling, spindle: rpm * TAU / 60.0 }
+fn cut(milling: &Milling, rpm: f64) -> Cut {
+    Cut { milling: milling.clone(), spindle: rpm * TAU / 60.0 }
 }
 
 /// Half immersion down of the TX200's milling task.
@@ -45,7 +45,7 @@ pub(crate) fn close(found: f64, expected: f64, within: f64) {
 fn depths_and_frequencies_of_a_tx200_are_as_worked_out_apart() {
     let curve = Curve::of(&tx200_motion(), &task().mean_directional());
     for (rpm, depth_mm, hertz) in [(300.0, 0.101_987, 11.203_35), (3333.0, 3.152_071, 29.020_69)] {
-        let edge = curve.edge_at(cut(task(), rpm).period_at(rpm * TAU / 60.0)).unwrap();
+        let edge = curve.edge_at(cut(&task(), rpm).period_at(rpm * TAU / 60.0)).unwrap();
         // Frequencies of the arm agree to 2e-6, so that depths at a resonance do to some 1e-5.
         close(edge.depth * 1e3, depth_mm, 5e-5);
         close(edge.frequency, hertz, 5e-6);
@@ -92,7 +92,7 @@ fn the_bottom_of_the_lobes_of_one_mode_is_that_of_the_textbook() {
 #[test]
 fn semi_discretisation_of_one_mode_gives_the_depths_of_its_authors() {
     let (motion, milling, _) = one_mode();
-    let cut = cut(milling, 10_000.0);
+    let cut = cut(&milling, 10_000.0);
     let teeth = Teeth::of(&motion, &cut);
     for (steps, depth_mm) in [(20, 0.3783), (40, 0.3350), (60, 0.3279), (80, 0.3255), (160, 0.3231)] {
         let edge = teeth.edge_at(cut.spindle, steps, 1e-4).unwrap();
@@ -147,7 +147,7 @@ fn growth_in_time(motion: &Motion, milling: &Milling, rpm: f64, depth: f64) -> f
         let mut force = [0.0; 2];
         for tooth in 0..milling.teeth {
             let phi = (TAU * (time / period + tooth as f64) / milling.teeth as f64).rem_euclid(TAU);
-            if milling.engagement.entry < phi && phi < milling.engagement.exit {
+            if milling.engagement.entry() < phi && phi < milling.engagement.exit() {
                 let (s, c) = phi.sin_cos();
                 let chip = depth * (s * off[0] + c * off[1]);
                 force[0] += chip * (-kt * c - kr * s);
@@ -191,7 +191,7 @@ fn a_cut_above_its_edge_grows_in_time_and_one_below_it_dies() {
     let (motion, milling) = two_modes();
     let curve = Curve::of(&motion, &milling.mean_directional());
     for rpm in [5800.0, 6500.0, 8000.0, 9500.0, 11_000.0, 12_500.0, 14_000.0, 16_000.0, 18_500.0, 22_000.0] {
-        let cut = cut(milling, rpm);
+        let cut = cut(&milling, rpm);
         let mean = curve.edge_at(cut.period_at(cut.spindle)).unwrap();
         let teeth = Teeth::of(&motion, &cut);
         assert!(teeth.are_needed());
@@ -227,7 +227,7 @@ fn modes_that_give_little_of_the_compliance_decide_where_teeth_pass_fast() {
     let motion = swing.motion(&[1.0; 6], None).seen_along(&axes([0.09, -0.375, -0.366], &tool_axis).unwrap());
     let entry = PI - (1.0 - 2.0 * 13.98 / 50.0_f64).acos();
     let milling = mill(2, 0.05, [entry, PI], [1800e6, 900e6, 0.0]);
-    let cut = cut(milling, 4000.0);
+    let cut = cut(&milling, 4000.0);
     let teeth = Teeth::of(&motion, &cut);
     let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle).unwrap(), 1e-4).unwrap();
     let grown = [0.85, 1.1].map(|share| growth_in_time(&motion, &milling, 4000.0, share * edge.depth));
@@ -243,7 +243,7 @@ fn tooth_by_tooth_a_short_cut_of_an_arm_grows_above_its_edge_and_dies_below() {
     let milling = mill(2, 0.02, [PI - 0.45, PI], [1930.4e6, 1159.6e6, 200.6e6]);
     let mut apart = 0.0_f64;
     for rpm in [300.0, 620.0, 900.0] {
-        let cut = cut(milling, rpm);
+        let cut = cut(&milling, rpm);
         let teeth = Teeth::of(&motion, &cut);
         assert!(teeth.are_needed());
         let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle).unwrap(), 1e-5).unwrap();
@@ -254,7 +254,7 @@ fn tooth_by_tooth_a_short_cut_of_an_arm_grows_above_its_edge_and_dies_below() {
     }
     assert!(0.05 < apart, "{apart}");
     // Far above all modes a tooth tells what the mean does.
-    let fast = cut(milling, 6000.0);
+    let fast = cut(&milling, 6000.0);
     let teeth = Teeth::of(&motion, &fast);
     assert!(!teeth.are_needed());
     let edge = teeth.edge_at(fast.spindle, 60, 1e-4).unwrap();

@@ -22,8 +22,8 @@ const SPINDLE: [MeasuredMode; 3] = [
     MeasuredMode { frequency: 1480.0, ratio: 0.02, stiffness: 5.5e7, direction: [0.5, 0.5, 0.1] },
 ];
 
-fn process(milling: Milling, rpm: f64) -> Process {
-    Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling) }
+fn process(milling: &Milling, rpm: f64) -> Process {
+    Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling.clone()) }
 }
 
 /// Well above half immersion, so that teeth are counted by their mean.
@@ -58,7 +58,7 @@ fn ask(feed: Vector3<f64>, measured: Option<&MeasuredTip>) -> Asked<'_> {
 
 fn found(
     (robot, tool, q): &(Robot, HeldTool, [f64; 6]),
-    milling: Milling,
+    milling: &Milling,
     rpm: f64,
     (feed, measured): (Vector3<f64>, &MeasuredTip),
 ) -> Chatter {
@@ -79,33 +79,31 @@ fn one_mode_that_was_measured_on_the_robot_is_the_textbooks_whatever_the_robot()
     let arm = kr210();
     let pose = modes(&arm.0, &arm.2, &arm.1, None).unwrap().tool;
     let along = |tip_axis: Vector3<f64>| pose.rotation * tip_axis;
-    let answer = found(&arm, milling, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
+    let answer = found(&arm, &milling, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
     close(answer.any_speed.unwrap().depth, bottom, 1e-6);
     assert_eq!((answer.robot_modes.len(), answer.drives_are_drawn, answer.drives_are_assumed), (0, false, false));
     assert_eq!(answer.spread.p05, answer.spread.p95);
     // Turned together nothing changes; across the feed half immersion drives a mode otherwise than along it.
-    let turned = found(&arm, milling, 10_000.0, (along(Vector3::y()), &tip([0.0, 1.0, 0.0])));
+    let turned = found(&arm, &milling, 10_000.0, (along(Vector3::y()), &tip([0.0, 1.0, 0.0])));
     close(turned.any_speed.unwrap().depth, bottom, 1e-6);
     let half = mill(2, 0.02, [0.0, FRAC_PI_2], [6e8, kn, 0.0]);
     let depth = |feed: Vector3<f64>| {
-        found(&arm, half, 10_000.0, (along(feed), &tip([1.0, 0.0, 0.0]))).any_speed.map(|edge| edge.depth)
+        found(&arm, &half, 10_000.0, (along(feed), &tip([1.0, 0.0, 0.0]))).any_speed.map(|edge| edge.depth)
     };
     assert!(depth(Vector3::y()).is_none_or(|across| 0.1 < (across / depth(Vector3::x()).unwrap() - 1.0).abs()));
     // A robot without masses does as well: the model of it does not count.
     let bare = find("IRB 6650S-200").unwrap().robot();
     let other = (bare, arm.1, arm.2);
     let pose = stiffarm::compliance::compliance(&other.0, &other.2, &other.1.flange_from_tool).unwrap().tool;
-    let answer = found(&other, milling, 10_000.0, (pose.rotation * Vector3::x(), &tip([1.0, 0.0, 0.0])));
+    let answer = found(&other, &milling, 10_000.0, (pose.rotation * Vector3::x(), &tip([1.0, 0.0, 0.0])));
     close(answer.any_speed.unwrap().depth, bottom, 1e-6);
     let rigid = MeasuredTip { held_by: HeldBy::Rigid, ..tip([1.0, 0.0, 0.0]) };
-    let refused = chatter(&other.0, &other.2, &other.1, &process(milling, 1e4), &ask(along_y(), Some(&rigid)));
+    let refused = chatter(&other.0, &other.2, &other.1, &process(&milling, 1e4), &ask(along_y(), Some(&rigid)));
     assert!(matches!(refused, Err(ChatterError::Modes(_))), "{refused:?}");
     // What was measured has no interval: it decides by itself.
-    let deep = Milling {
-        engagement: stiffarm::cutting::Engagement { depth: 2.0 * answer.at_speed.unwrap().depth, ..milling.engagement },
-        ..milling
-    };
-    let answer = found(&arm, deep, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
+    let mut deep = milling;
+    deep.engagement.arcs[0].depth = 2.0 * answer.at_speed.unwrap().depth;
+    let answer = found(&arm, &deep, 10_000.0, (along(Vector3::x()), &tip([1.0, 0.0, 0.0])));
     assert_eq!(answer.verdict(), Verdict::Limits(answer.at_speed.unwrap().depth));
 }
 
@@ -116,7 +114,7 @@ fn modes_and_their_receptance_frequency_by_frequency_tell_the_same() {
         let of_modes = MeasuredTip { held_by, response: Response::of_modes(&SPINDLE) };
         let by_hertz = MeasuredTip { held_by, response: sampled(1.0, to, |hertz| receptance(&SPINDLE, hertz)) };
         for rpm in [900.0, 5200.0, 12_000.0] {
-            let [a, b] = [&of_modes, &by_hertz].map(|tip| found(&arm, slot(), rpm, (along_y(), tip)));
+            let [a, b] = [&of_modes, &by_hertz].map(|tip| found(&arm, &slot(), rpm, (along_y(), tip)));
             // Lines 1 Hz apart over half widths of 15 Hz and more: chords miss arcs by 1e-3.
             for (a, b) in [
                 (a.at_speed, b.at_speed),
@@ -149,8 +147,8 @@ fn a_robot_measured_is_the_robot_modelled() {
     let feed = Vector3::new(0.6, 1.0, 0.0);
     let milling = mill(3, 0.016, [0.0, 2.2], [800e6, 250e6, 180e6]);
     for rpm in [120.0, 900.0] {
-        let modelled = chatter(robot, q, tool, &process(milling, rpm), &ask(feed, None)).unwrap();
-        let measured = found(&arm, milling, rpm, (feed, &tip));
+        let modelled = chatter(robot, q, tool, &process(&milling, rpm), &ask(feed, None)).unwrap();
+        let measured = found(&arm, &milling, rpm, (feed, &tip));
         for (a, b) in [
             (modelled.at_speed, measured.at_speed),
             (modelled.any_speed, measured.any_speed),
@@ -174,7 +172,7 @@ fn beside_the_robot_the_edge_is_that_of_the_sum_of_both() {
     let factors = slot().mean_directional().map(|x| Complex::new(x, 0.0));
     let tip = MeasuredTip { held_by: HeldBy::Rigid, response: Response::of_modes(&SPINDLE) };
     for rpm in [431.0, 4000.0, 12_000.0, 18_000.0] {
-        let answer = found(&arm, slot(), rpm, (feed, &tip));
+        let answer = found(&arm, &slot(), rpm, (feed, &tip));
         let edge = answer.at_speed.unwrap();
         let gain = |w: f64| {
             let hertz = w / TAU;
@@ -184,7 +182,7 @@ fn beside_the_robot_the_edge_is_that_of_the_sum_of_both() {
         swings_first_at(edge, gain, 60.0 / (3.0 * rpm), (3000.0, 60_000));
         assert_eq!((answer.robot_modes.len(), answer.measured.unwrap().modes.len()), (6, 3));
         // Along a path the same is reported of each posture.
-        let cut = stiffarm::chatter::Cut::of(&process(slot(), rpm)).unwrap();
+        let cut = stiffarm::chatter::Cut::of(&process(&slot(), rpm)).unwrap();
         let one = by_mean(robot, q, tool, &cut, &ask(feed, Some(&tip))).unwrap();
         assert_eq!(one.edge, Some(edge));
     }
@@ -197,7 +195,7 @@ fn without_modes_teeth_are_not_counted_one_by_one() {
     let of = |response: Response, method: Option<Method>| {
         let tip = MeasuredTip { held_by: HeldBy::Rigid, response };
         let asked = Asked { method, ..ask(along_y(), Some(&tip)) };
-        chatter(&arm.0, &arm.2, &arm.1, &process(short, 9000.0), &asked)
+        chatter(&arm.0, &arm.2, &arm.1, &process(&short, 9000.0), &asked)
     };
     let samples = || sampled(2.0, 4000.0, |hertz| receptance(&SPINDLE, hertz));
     assert_eq!(of(samples(), Some(Method::Teeth)).err(), Some(ChatterError::NoModes));
@@ -205,7 +203,7 @@ fn without_modes_teeth_are_not_counted_one_by_one() {
     assert_eq!((answer.method, answer.may_mislead()), (Method::Mean, true));
     let answer = of(Response::of_modes(&SPINDLE), None).unwrap();
     assert_eq!((answer.method, answer.may_mislead()), (Method::Teeth, false));
-    let wide = found(&arm, slot(), 9000.0, (along_y(), &MeasuredTip { held_by: HeldBy::Rigid, response: samples() }));
+    let wide = found(&arm, &slot(), 9000.0, (along_y(), &MeasuredTip { held_by: HeldBy::Rigid, response: samples() }));
     assert!(!wide.may_mislead());
 }
 
@@ -320,9 +318,9 @@ fn a_table_that_ends_below_the_modes_of_the_robot_leaves_them_there() {
     let stiff = |hertz: f64| receptance(&SPINDLE, hertz) * Complex::new(1e-3, 0.0);
     for rpm in [300.0, 900.0, 12_000.0] {
         let tip = MeasuredTip { held_by: HeldBy::Rigid, response: sampled(1.0, 30.0, stiff) };
-        let with = found(&arm, slot(), rpm, (along_y(), &tip));
+        let with = found(&arm, &slot(), rpm, (along_y(), &tip));
         let asked = ask(along_y(), None);
-        let without = chatter(&arm.0, &arm.2, &arm.1, &process(slot(), rpm), &asked).unwrap();
+        let without = chatter(&arm.0, &arm.2, &arm.1, &process(&slot(), rpm), &asked).unwrap();
         for (with, without) in [(with.at_speed, without.at_speed), (with.any_speed, without.any_speed)] {
             close(with.unwrap().depth, without.unwrap().depth, 1e-2);
             close(with.unwrap().frequency, without.unwrap().frequency, 1e-2);
@@ -334,12 +332,12 @@ fn a_table_that_ends_below_the_modes_of_the_robot_leaves_them_there() {
 fn a_coarse_table_and_one_that_ends_below_the_teeth_decide_nothing() {
     let arm = kr210();
     let mut shallow = slot();
-    shallow.engagement.depth = 1e-6;
+    shallow.engagement.arcs[0].depth = 1e-6;
     // Teeth pass at 450 Hz.
     let verdict = |step: f64, to: f64| {
         let response = sampled(step, to, |hertz| receptance(&SPINDLE, hertz));
         let tip = MeasuredTip { held_by: HeldBy::Robot, response };
-        found(&arm, shallow, 9000.0, (along_y(), &tip)).verdict()
+        found(&arm, &shallow, 9000.0, (along_y(), &tip)).verdict()
     };
     assert_eq!(verdict(2.0, 3000.0), Verdict::Calm);
     assert_eq!(verdict(2.0, 440.0), Verdict::NotDecided);

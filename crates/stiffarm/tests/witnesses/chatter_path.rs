@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 use stiffarm::chatter::{Asked, Chatter, Curve, Method, by_mean, chatter};
-use stiffarm::cutting::{Edge, Engagement, Law, Milling, Process};
+use stiffarm::cutting::{Edge, Law, Milling, Process};
 use stiffarm::inverse::reached;
 use stiffarm::mass::RigidBody;
 use stiffarm::mill::{
@@ -118,16 +118,16 @@ fn the_worst_sample_has_the_least_depth_in_proportion_and_the_whole_answer_of_it
     let path = followed(&moves, &process, None);
     let answer = path.chatter(&process);
     let (worst, found) = answer.worst.as_ref().unwrap();
-    let reserve = |i: usize| depth(&answer.samples[i]) / path.stations[i].cut.as_ref().unwrap().engagement.depth;
+    let reserve = |i: usize| depth(&answer.samples[i]) / path.stations[i].cut.as_ref().unwrap().engagement.depth();
     assert!((0..answer.samples.len()).all(|i| reserve(*worst) <= reserve(i)));
-    assert_eq!(found.cut.milling.engagement.depth, 20e-3);
+    assert_eq!(found.cut.milling.engagement.depth(), 20e-3);
     // The deep side is not where the critical depth is least: proportion counts.
     let least = answer.samples.iter().map(depth).fold(f64::INFINITY, f64::min);
     assert!(least < depth(&answer.samples[*worst]), "{least}");
     let feed = stand(&path.tool).base_from_part.rotation * path.stations[*worst].sample.direction.unwrap();
     let asked = Asked { feed: feed.into(), damping: None, method: Some(Method::Mean), measured: None };
-    let Law::Milling(milling) = process.law else { unreachable!() };
-    let deep = Milling { engagement: Engagement { depth: 20e-3, ..milling.engagement }, ..milling };
+    let Law::Milling(mut deep) = process.law else { unreachable!() };
+    deep.engagement.arcs[0].depth = 20e-3;
     let process = Process { law: Law::Milling(deep), ..process };
     let again = chatter(&path.robot, &path.samples[*worst].joints, &path.tool, &process, &asked).unwrap();
     assert_eq!(again.at_speed.unwrap().depth, depth(&answer.samples[*worst]));
@@ -151,7 +151,7 @@ fn reflected_in_the_arm_plane_a_path_has_the_same_depths() {
         station.sample.pose.tip.y *= -1.0;
         station.sample.direction.as_mut().unwrap().y *= -1.0;
         let cut = std::sync::Arc::make_mut(station.cut.as_mut().unwrap());
-        (cut.engagement.entry, cut.engagement.exit) = (PI - 1.9, PI - 0.2);
+        (cut.engagement.arcs[0].entry, cut.engagement.arcs[0].exit) = (PI - 1.9, PI - 0.2);
     }
     let samples: Vec<Pushed> = path
         .samples
@@ -217,7 +217,7 @@ fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_reported() {
     let again = chatter_along(&path.robot, &stand, (&path.stations, &rolled.samples), asked, Watch::nobody()).unwrap();
     let (worst, answer) = again.worst.unwrap();
     assert_eq!((all.sample, all.error), (worst, rolled.worst.0));
-    close(all.reserve, depth(answer.at_speed) / answer.cut.milling.engagement.depth, 1e-9);
+    close(all.reserve, depth(answer.at_speed) / answer.cut.milling.engagement.depth(), 1e-9);
     // Margins and what stands about take rolls away.
     let usual = path.chatter(&process).deepest.unwrap();
     assert!(depth(usual.edge) <= most);
@@ -284,7 +284,7 @@ fn at_posture(rpm: f64, engagement: [f64; 2], (feed, depth): ([f64; 3], f64), me
     let robot = stiffarm::prior::with_prior(&robot).unwrap();
     let q = [q[0], q[1], q[2], 0.3, 1.2, 0.0];
     let mut milling = end_mill(4, 0.016, engagement, CHIP);
-    milling.engagement.depth = depth;
+    milling.engagement.arcs[0].depth = depth;
     let process = Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling) };
     chatter(&robot, &q, &tool, &process, &Asked { feed, damping: None, method: Some(method), measured: None }).unwrap()
 }

@@ -13,8 +13,8 @@ use stiffarm::robot::Robot;
 use crate::chatter::{close, mill};
 use crate::modes::kr210;
 
-fn process(milling: Milling, rpm: f64) -> Process {
-    Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling) }
+fn process(milling: &Milling, rpm: f64) -> Process {
+    Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling.clone()) }
 }
 
 const ALONG_X: Asked = Asked { feed: [1.0, 0.0, 0.0], damping: None, method: None, measured: None };
@@ -28,8 +28,8 @@ fn by_prior() -> (Robot, HeldTool, [f64; 6]) {
 fn of_depth(depth: f64) -> Chatter {
     let (robot, tool, q) = by_prior();
     let mut milling = mill(4, 0.02, [0.0, FRAC_PI_2], [1930e6, 1160e6, 200e6]);
-    milling.engagement.depth = depth;
-    chatter(&robot, &q, &tool, &process(milling, 900.0), &ALONG_X).unwrap()
+    milling.engagement.arcs[0].depth = depth;
+    chatter(&robot, &q, &tool, &process(&milling, 900.0), &ALONG_X).unwrap()
 }
 
 #[test]
@@ -57,13 +57,13 @@ fn drives_that_are_nobodys_decide_nothing_and_a_given_damping_has_no_interval() 
     let (robot, tool, q) = by_prior();
     let paper = stiffarm::prior::as_in_the_paper(&robot);
     let mut milling = mill(4, 0.02, [0.0, FRAC_PI_2], [1930e6, 1160e6, 200e6]);
-    milling.engagement.depth = 2e-6;
-    let found = chatter(&paper, &q, &tool, &process(milling, 900.0), &ALONG_X).unwrap();
+    milling.engagement.arcs[0].depth = 2e-6;
+    let found = chatter(&paper, &q, &tool, &process(&milling, 900.0), &ALONG_X).unwrap();
     assert_eq!((found.verdict(), found.drives_are_drawn), (Verdict::NotDecided, false));
     assert!(2e-6 < found.spread.p05.unwrap());
     let stated = with_compliance(&robot, [0.477, 0.296, 0.358, 2.52, 3.01, 2.1]).unwrap();
     let asked = Asked { damping: Some(Damping::Ratio(0.05)), ..ALONG_X };
-    let found = chatter(&stated, &q, &tool, &process(milling, 900.0), &asked).unwrap();
+    let found = chatter(&stated, &q, &tool, &process(&milling, 900.0), &asked).unwrap();
     let depth = found.at_speed.unwrap().depth;
     assert_eq!((found.spread.p05, found.spread.p95), (Some(depth), Some(depth)));
     assert_eq!(found.verdict(), Verdict::Calm);
@@ -74,7 +74,7 @@ fn a_short_slow_cut_is_counted_tooth_by_tooth_unless_another_way_is_asked() {
     let (robot, tool, q) = by_prior();
     let milling = mill(2, 0.02, [PI - 0.45, PI], [1930e6, 1160e6, 200e6]);
     let of = |rpm: f64, method: Option<Method>| {
-        chatter(&robot, &q, &tool, &process(milling, rpm), &Asked { method, ..ALONG_X }).unwrap()
+        chatter(&robot, &q, &tool, &process(&milling, rpm), &Asked { method, ..ALONG_X }).unwrap()
     };
     let found = of(600.0, None);
     assert_eq!(found.method, Method::Teeth);
@@ -88,7 +88,7 @@ fn a_short_slow_cut_is_counted_tooth_by_tooth_unless_another_way_is_asked() {
 fn what_is_not_covered_is_refused_by_its_name() {
     let (robot, tool, q) = by_prior();
     let milling = mill(4, 0.02, [0.0, FRAC_PI_2], [1930e6, 1160e6, 200e6]);
-    let good = process(milling, 900.0);
+    let good = process(&milling, 900.0);
     let refused = |process: &Process, asked: &Asked| {
         chatter(&robot, &q, &tool, process, asked)
             .err()
@@ -107,8 +107,8 @@ fn what_is_not_covered_is_refused_by_its_name() {
     assert!(refused(&Process { is_clockwise: false, ..good.clone() }, &ALONG_X).contains("counter-clockwise"));
     assert!(refused(&Process { spindle: None, ..good.clone() }, &ALONG_X).contains("spindle_rpm is missing"));
     let mut none = milling;
-    none.engagement.depth = f64::NAN;
-    assert!(refused(&process(none, 900.0), &ALONG_X).contains("a depth of cut of NaN"));
+    none.engagement.arcs[0].depth = f64::NAN;
+    assert!(refused(&process(&none, 900.0), &ALONG_X).contains("a depth of cut of NaN"));
     // The tool of the posture points down.
     let down = modes(&robot, &q, &tool, None).unwrap().tool.rotation * Vector3::z();
     assert!((down + Vector3::z()).norm() < 1e-9, "{down}");

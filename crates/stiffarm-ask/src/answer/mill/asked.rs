@@ -279,11 +279,7 @@ fn block_of(
     };
     let area = (high[0] - low[0]) * (high[1] - low[1]);
     let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());
-    let known_to = format!(
-        "stock in cells of {} mm: cuts narrower than {} mm are not seen, and the width of any cut is known to that",
-        fixed(cell * 1e3, 3),
-        fixed(cell * 1.5e3, 3)
-    );
+    let known_to = format!("stock in cells of {} mm: the width of a cut is known to that", fixed(cell * 1e3, 3));
     Ok((Some(Stock::block(low, high, cell)?), Some(known_to)))
 }
 

@@ -153,7 +153,7 @@ impl MillAnswer {
     pub(super) fn chatter_shortfall(&self) -> Option<String> {
         let (worst, found) = self.chatter.as_ref()?.worst.as_ref()?;
         let Verdict::Limits(depth) = found.chatter.verdict() else { return None };
-        let [cut, depth] = [found.chatter.cut.milling.engagement.depth, depth].map(|depth| fixed(depth * 1e3, 3));
+        let [cut, depth] = [found.chatter.cut.milling.engagement.depth(), depth].map(|depth| fixed(depth * 1e3, 3));
         Some(format!("a cut of {cut} mm, {}, swings from {depth} mm", self.at_sample(*worst)))
     }
 

@@ -141,7 +141,8 @@ pub fn chatter_along(
         return Err(of_line(0)(ChatterError::OnePosture));
     }
     let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
-    let cut = |at: &StationCut| Cut { milling: Milling { engagement: at.engagement, ..usual.milling }, ..usual };
+    let cut =
+        |at: &StationCut| Cut { milling: Milling { engagement: at.engagement.clone(), ..usual.milling }, ..usual };
     let asked = |station: &Station| {
         let feed = station.sample.direction.map_or([0.0; 3], |way| (stand.base_from_part.rotation * way).into());
         Asked { feed, damping: held.damping, method: None, measured: held.measured.as_ref() }
@@ -155,7 +156,7 @@ pub fn chatter_along(
         };
         let critical = by_mean(robot, &pushed.joints, &tool, &cut(at), &asked(station));
         let critical = critical.map_err(of_line(station.sample.line))?;
-        Ok::<_, MillError>(Judged::Cut { critical, depth: at.engagement.depth })
+        Ok::<_, MillError>(Judged::Cut { critical, depth: at.engagement.depth() })
     };
     let all = |followed: &[Pushed]| parallel::try_each_of(stations.len(), |i| judged(&stations[i], &followed[i]));
     let samples = all(followed)?;
@@ -167,7 +168,8 @@ pub fn chatter_along(
         let found = chatter(robot, joints, &tool, &there, &asked(station)).map_err(of_line(station.sample.line))?;
         Ok::<_, MillError>((i, found))
     };
-    let deepest = worst.map(|(i, cut)| {
+    let deepest = worst.as_ref().map(|(i, cut)| {
+        let i = *i;
         let (asked, configuration) = (asked(&stations[i]), followed[i].arrangement.configuration);
         roll::deepest((robot, &tool), stand, (stations, i, configuration), (&cut, &asked), options, watch)
     });
