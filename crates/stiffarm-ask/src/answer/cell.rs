@@ -12,6 +12,7 @@ use stiffarm::clearance;
 use stiffarm::interval::Interval;
 use stiffarm::place::{PlaceOptions, Within};
 use stiffarm::robot::Robot;
+use stiffarm::spatial::Zyx;
 
 /// The tool axis above the horizontal of the cell, rad, as it was asked.
 pub(super) fn elevation(options: &PlaceOptions) -> f64 {
@@ -19,7 +20,7 @@ pub(super) fn elevation(options: &PlaceOptions) -> f64 {
     let Some(cell) = options.cell else { return elevation };
     let ((se, ce), (sa, ca)) = (elevation.sin_cos(), cell.azimuth.unwrap_or(0.0).sin_cos());
     let axis = cell.mount.cell_from_base.rotation * Vector3::new(ce * ca, ce * sa, se);
-    axis.z.clamp(-1.0, 1.0).asin()
+    axis.z.atan2(axis.xy().norm())
 }
 
 /// The mount, where the work may stand and what is kept free.
@@ -107,7 +108,7 @@ pub(super) fn record(cell: &Cell, robot: &Robot) -> Record {
         Window::Ring { ahead, z } => json!([ends(ahead), ends(z)]),
     };
     let pose = cell.mount.cell_from_base;
-    let (rx, ry, rz) = pose.rotation.euler_angles();
+    let turned = Zyx::of(&pose.rotation);
     let mount = match cell.mount.kind {
         MountKind::Pedestal => "pedestal",
         MountKind::Wall => "wall",
@@ -118,7 +119,7 @@ pub(super) fn record(cell: &Cell, robot: &Robot) -> Record {
     record
         .put(field::MOUNT, mount)
         .put(field::BASE_IN_CELL, <[f64; 3]>::from(pose.translation.vector))
-        .put(field::BASE_TURNED, [rx, ry, rz])
+        .put(field::BASE_TURNED, [turned.x, turned.y, turned.z])
         .put(field::WINDOWS, cell.windows().map(window).collect::<Value>())
         .put(field::KEPT_FREE, cell.keep_out().map(block).collect::<Value>())
         .put(field::CARRIES_BASE, json!(clearance::carrying(robot, cell)))
@@ -128,6 +129,8 @@ pub(super) fn record(cell: &Cell, robot: &Robot) -> Record {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::UnitQuaternion;
+
     use super::*;
 
     #[test]
@@ -137,6 +140,20 @@ mod tests {
             for turn in [40.0_f64, -130.0] {
                 let text = mount(&kind.turned(turn.to_radians()));
                 assert!(text.ends_with(&format!(", turned {turn:.1} deg")), "{text}");
+            }
+        }
+    }
+    /// A wall turns the base by a quarter about y, where the turns about x and z are one: what is reported is the turn that it has.
+    #[test]
+    fn the_angles_of_a_mount_are_those_of_its_rotation() {
+        let robot = stiffarm::catalogue::paper_robots().swap_remove(4);
+        for turn in [0.0_f64, 20.0, -45.0, 90.0] {
+            for mount in [Mount::wall(1.5), Mount::ceiling(2.0), Mount::pedestal(0.3)] {
+                let mount = mount.turned(turn.to_radians());
+                let json = record(&Cell::of(mount), &robot).json();
+                let [x, y, z] = [0, 1, 2].map(|i| json["base_deg"][i].as_f64().unwrap().to_radians());
+                let off = UnitQuaternion::from_euler_angles(x, y, z).angle_to(&mount.cell_from_base.rotation);
+                assert!(off < 1e-7, "{mount:?}: {off}");
             }
         }
     }

@@ -54,7 +54,7 @@ impl Link {
 }
 
 /// What the tool is.
-const TOOL: usize = 7;
+pub(super) const TOOL: usize = 7;
 /// The base, six links and the tool.
 pub(super) const LINKS: usize = 8;
 

@@ -70,6 +70,12 @@ impl Capsule {
         (length < whole).then(|| Self { ends: [from, to - (to - from) * (length / whole)], ..self })
     }
 
+    /// The part behind so large a share of it from its first end on; `None` where nothing is left.
+    pub(crate) fn behind(self, share: f64) -> Option<Self> {
+        let [from, to] = self.ends;
+        (share < 1.0).then(|| Self { ends: [from + (to - from) * share, to], ..self })
+    }
+
     /// Its lowest height over a plane through a point, m, with the unit normal `up`.
     pub(crate) fn above(&self, through: &Vector3<f64>, up: &Vector3<f64>) -> f64 {
         self.ends.map(|end| (end - through).dot(up)).into_iter().fold(f64::INFINITY, f64::min) - self.radius

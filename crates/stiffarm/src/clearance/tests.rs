@@ -129,6 +129,37 @@ fn an_arm_that_folds_back_meets_its_own_column() {
     assert_eq!((distance, link, to), (-0.35, Link::Forearm, Obstacle::Link(Link::Column)));
 }
 
+/// A tool across the flange, 0.6 m long, that the wrist bends back over the forearm: the nearer the straighter it lies there. Its root, nearer to the
+/// wrist centre than both are thick, is carried by the forearm and meets nothing.
+#[test]
+fn a_tool_that_is_folded_back_meets_the_forearm() {
+    let robot = robot();
+    let across = Pose::translation(0.6, 0.0, 0.0);
+    let thick = ThickArm::new(&robot, &across, Some(0.05)).unwrap();
+    let at = |bend: f64| {
+        let theta = [0.0, 0.0, FRAC_PI_2, 0.0, bend, 0.0];
+        let near = thick.clearance(&[theta], &Surroundings::default()).unwrap();
+        (near.distance, near.link, near.to)
+    };
+    // The tool's line from W: 0.2 m along the flange axis, then across. At a bend b a point s of it lies |0.2 cos b - s sin b| ahead of W or behind it and
+    // 0.2 sin b + s cos b off the forearm's line. Compared from s^2 = (0.15 + 0.05)^2 - 0.2^2 = 0 on to 0.55.
+    for bend in [1.2_f64, 1.5, 1.8, 2.2, 2.5] {
+        let (s, c) = bend.sin_cos();
+        let nearest = (0..=5500).map(|i| f64::from(i) * 1e-4).map(|at| {
+            let (ahead, off) = (0.2 * c - at * s, 0.2 * s + at * c);
+            off.hypot(ahead.max(0.0)) - 0.2
+        });
+        let by_hand = nearest.fold(f64::INFINITY, f64::min);
+        let (distance, link, to) = at(bend);
+        if by_hand < -1e-3 {
+            assert!((distance - by_hand).abs() < 1e-4, "{bend}: {distance} is not {by_hand}");
+            assert_eq!((link, to), (Link::Tool, Obstacle::Link(Link::Forearm)));
+        } else {
+            assert_ne!(to, Obstacle::Link(Link::Forearm), "{bend}: {distance}, {by_hand}");
+        }
+    }
+}
+
 /// Capsules that stand where those along the lines of the arm do are as near to everything, in every posture.
 #[test]
 fn enclosing_capsules_move_with_their_links() {

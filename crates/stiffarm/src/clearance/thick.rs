@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::links::{LINKS, Piece, Tool, enclosed, links, piece_of_tool};
+use super::links::{LINKS, Piece, TOOL, Tool, enclosed, links, piece_of_tool};
 use super::nearest::{Looked, Nearest};
 use super::solid::{Ball, Solid};
 use super::stock::Ends;
@@ -18,6 +18,8 @@ use crate::spatial::Pose;
 const GRAZED: f64 = 1e-9;
 /// Angles of joint 1 at which what it turns is compared.
 const TURNS: u32 = 180;
+/// A tool that lies so deep in the forearm, m, is folded back into it.
+const FOLDED: f64 = 1e-3;
 /// A tool shorter than this, m, is no link.
 const NO_TOOL: f64 = 1e-6;
 
@@ -34,6 +36,9 @@ pub(crate) struct ThickArm<'a> {
     meets: [[bool; LINKS]; LINKS],
     is_estimated: bool,
     tool: Option<Tool>,
+    /// From which share of it on the tool is compared with the forearm, which carries the wrist before it; `None` where it is not, as of
+    /// estimated bodies.
+    free_from: Option<f64>,
     /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
     ends_at_wrist: bool,
 }
@@ -52,7 +57,9 @@ impl<'a> ThickArm<'a> {
         let not_compared = enclosing.map_or(&[][..], |enclosing| &enclosing.not_compared);
         let meets = |pair: [usize; 2]| may_meet(pair) && !not_compared.contains(&pair);
         let meets = std::array::from_fn(|low| std::array::from_fn(|high| meets([low, high])));
-        Some(Self { geometry, body, enclosing, wide, meets, is_estimated, tool, ends_at_wrist: false })
+        // How thick an estimated forearm is where it carries the wrist says little.
+        let free_from = tool.filter(|_| wide.is_none()).and_then(|tool| free_from(geometry, &body, enclosing, tool));
+        Some(Self { geometry, body, enclosing, wide, meets, is_estimated, tool, free_from, ends_at_wrist: false })
     }
 
     /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
@@ -68,6 +75,7 @@ impl<'a> ThickArm<'a> {
             let pieces = self.pieces(theta, about.pedestal);
             self.compare(&pieces, &before, (about, 0), &mut nearest);
             self.compare_links(&pieces, &mut nearest);
+            self.compare_folded(&pieces, &mut nearest);
             before = pieces;
             if let Some(pieces) = self.wide_pieces(theta, about.pedestal) {
                 self.compare(&pieces, &wide_before, (about, 0), &mut widest);
@@ -83,6 +91,13 @@ impl<'a> ThickArm<'a> {
         let (mut nearest, pieces) = (Nearest::looked(looked), self.pieces(theta, about.0.pedestal));
         self.compare(&pieces, &[], about, &mut nearest);
         self.compare_links(&pieces, &mut nearest);
+        nearest.near
+    }
+
+    /// The tool in the forearm, where the wrist folds it back into that in a posture, by its model angles.
+    pub(crate) fn folded(&self, theta: &[f64; 6]) -> Option<Near> {
+        let mut nearest = Nearest::looked(Looked::ALL);
+        self.compare_folded(&self.pieces(theta, 0.0), &mut nearest);
         nearest.near
     }
 
@@ -283,6 +298,20 @@ impl<'a> ThickArm<'a> {
         }
     }
 
+    /// Looks whether the wrist folds the tool back into the forearm. They are joined, so that how near they are says nothing until they overlap.
+    fn compare_folded(&self, pieces: &[Piece], nearest: &mut Nearest) {
+        let Some((tool, share)) = pieces.iter().position(|piece| piece.number == TOOL).zip(self.free_from) else {
+            return;
+        };
+        let Some(free) = shown(pieces, tool).and_then(|capsule| capsule.behind(share)) else { return };
+        for other in pieces.iter().filter(|other| other.link == Link::Forearm) {
+            let apart = free.apart_from(&other.capsule);
+            if apart < -FOLDED {
+                nearest.take(apart, Link::Tool, Obstacle::Link(Link::Forearm));
+            }
+        }
+    }
+
     /// Looks at all that stands about the arm. It does not move, so that of a link that stands where it did before nothing new is to be said.
     fn compare(&self, pieces: &[Piece], before: &[Piece], about: (&Surroundings, usize), nearest: &mut Nearest) {
         for (i, piece) in pieces.iter().enumerate() {
@@ -322,6 +351,24 @@ impl<'a> ThickArm<'a> {
             nearest.solid((link, &capsule), Obstacle::KeepOut(number), solid);
         }
     }
+}
+
+/// From which share of it on a tool can only meet the forearm where the wrist folds back: every point of the tool keeps its distance from the wrist
+/// centre, and from there on that is more than forearm and tool are thick in front of it. `None` where no part of it is.
+fn free_from(geometry: &Geometry, body: &Body, enclosing: Option<&Enclosing>, tool: Tool) -> Option<f64> {
+    let [_, _, _, wrist, _] = geometry.points(&[0.0; 6]).map(Vector3::from);
+    let ahead = |capsule: &Capsule| capsule.ends.iter().map(|end| end.z).fold(f64::MIN, f64::max) + capsule.radius;
+    let in_front = enclosing.map_or(body.forearm, |enclosing| {
+        enclosing.links[3..5].iter().flatten().map(|capsule| ahead(capsule) - wrist.z).fold(0.0, f64::max)
+    });
+    // |t p + c4 z| = r, and t in parts of what is compared.
+    let (along, r) = (tool.point, in_front + tool.radius);
+    let (a, b) = (along.norm_squared(), along.z * geometry.c4);
+    let root = b * b - a * (geometry.c4 * geometry.c4 - r * r);
+    let from = if root <= 0.0 { 0.0 } else { ((root.sqrt() - b) / a).max(0.0) };
+    let length = along.norm();
+    let from = from * length / (length - tool.radius);
+    (0.0..1.0).contains(&from).then_some(from)
 }
 
 /// What of a piece is compared: the last one is there to touch the work, and the round end of its capsule would reach beyond. `None` where nothing

@@ -1,39 +1,8 @@
 //! A rotation in the numbers of a controller, and numbers as a controller reads them.
 
-use nalgebra::{Rotation3, UnitQuaternion};
+use nalgebra::UnitQuaternion;
 
-/// Where cos(B) is smaller the first and the last angle turn about one axis. Below it, leaving out the last turns the tool by less
-/// than pi times this; above it, both are known to 1e-16 over this.
-const GIMBAL: f64 = 1e-8;
-
-/// Angles about z, then the turned y, then the twice turned x: `R = Rz(a) Ry(b) Rx(c)`, rad.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Zyx {
-    pub(super) z: f64,
-    pub(super) y: f64,
-    pub(super) x: f64,
-    /// Only the sum or the difference of `z` and `x` is known: `x` is set to 0.
-    pub(super) is_at_gimbal: bool,
-}
-
-impl Zyx {
-    /// The third row of R is `(-sin y, cos y sin x, cos y cos x)`, its first column `(cos y cos z, cos y sin z, -sin y)`.
-    pub(super) fn of(rotation: &UnitQuaternion<f64>) -> Self {
-        let r: Rotation3<f64> = rotation.to_rotation_matrix();
-        let cos_y = r[(2, 1)].hypot(r[(2, 2)]);
-        let y = (-r[(2, 0)]).atan2(cos_y);
-        if cos_y <= GIMBAL {
-            // With x = 0 the second column is (-sin z, cos z, 0).
-            return Self { z: (-r[(0, 1)]).atan2(r[(1, 1)]), y, x: 0.0, is_at_gimbal: true };
-        }
-        Self { z: r[(1, 0)].atan2(r[(0, 0)]), y, x: r[(2, 1)].atan2(r[(2, 2)]), is_at_gimbal: false }
-    }
-
-    /// In deg, the turn about z first.
-    pub(super) fn degrees(&self) -> [f64; 3] {
-        [self.z, self.y, self.x].map(f64::to_degrees)
-    }
-}
+pub(super) use crate::spatial::Zyx;
 
 /// `[w, x, y, z]` with w of at least 0: of the two quaternions of a rotation the one that controllers show.
 pub(super) fn quaternion(rotation: &UnitQuaternion<f64>) -> [f64; 4] {

@@ -59,7 +59,9 @@ impl Guard<'_> {
                 let Some(AtStation { near, touches, is_straight }) = one else { return Ok(Err(first + i)) };
                 let of_tool = tool.as_ref().map(|tool| tool.near(first + i, is_straight, self.clearance));
                 let (of_tool, tool_touches) = of_tool.unwrap_or_default();
-                found.add(first + i, (nearer(near, of_tool), touches || tool_touches), self.clearance);
+                let folded = self.thick.folded(&self.model_angles(&together[i]));
+                let touches = touches || tool_touches || folded.is_some();
+                found.add(first + i, (nearer(nearer(near, of_tool), folded), touches), self.clearance);
             }
             last = posed.last().copied();
         }
