@@ -147,7 +147,7 @@ fn chatter_of_cuts(c: &mut Criterion) {
     let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
     let ((moves, steps), (_, stand)) = (moves(), path());
     let edge = Edge::Linear { chip: [767e6, 169e6, 222e6], rubbing: [0.0; 3] };
-    let engagement = Engagement { depth: 3e-3, entry: 0.2, exit: 1.9, feed_per_tooth: 1e-4 };
+    let engagement = Engagement::at_depth(3e-3, [0.2, 1.9], 1e-4);
     let milling = Milling { diameter: 0.016, teeth: 4, helix: 0.0, engagement, edge };
     let process = Process { spindle: Some(1256.0), is_clockwise: true, law: Law::Milling(milling) };
     let forcing = Forcing::Process(process.clone());

@@ -461,7 +461,7 @@ mod tests {
         for (y, cell) in [(0.05, CELL), (0.05, 4e-4), (0.043_21, CELL)] {
             let mut stock = Stock::block([0.0, 0.0, -0.01], [0.1, 0.1, 0.0], cell).unwrap();
             for level in 1..=8 {
-                let z = -1.0 * level as f64;
+                let z = -f64::from(level);
                 let program = format!("G21 G90\nG0 X20 Y{} Z5\nG1 Z{z} F600\nX70\nG0 Z5\n", y * 1e3);
                 let mut found = Vec::new();
                 let mut each = |sample: &Sample, engaged: Option<Engaged>| {

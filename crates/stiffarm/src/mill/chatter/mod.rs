@@ -171,7 +171,7 @@ pub fn chatter_along(
     let deepest = worst.as_ref().map(|(i, cut)| {
         let i = *i;
         let (asked, configuration) = (asked(&stations[i]), followed[i].arrangement.configuration);
-        roll::deepest((robot, &tool), stand, (stations, i, configuration), (&cut, &asked), options, watch)
+        roll::deepest((robot, &tool), stand, (stations, i, configuration), (cut, &asked), options, watch)
     });
     let mut deepest = deepest.transpose()?.flatten();
     // Pins would hold rolls of their own.
