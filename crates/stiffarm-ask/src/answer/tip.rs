@@ -66,6 +66,8 @@ pub(super) fn not_known(chatter: &Chatter) -> String {
         "; the frequencies of the table lie too far apart to decide by it"
     } else if chatter.ends_below_teeth() {
         "; a table that ends below the frequency at which teeth pass decides nothing"
+    } else if chatter.may_mislead() {
+        "; a table without modes decides nothing of teeth that cut for half of the time or less: a table of modes does"
     } else {
         ""
     };

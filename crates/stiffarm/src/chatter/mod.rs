@@ -126,10 +126,12 @@ pub struct Chatter {
 
 impl Chatter {
     /// Does the cut swing, as far as robot modes and what was measured tell? Nothing is decided by a table that is coarse or ends below the frequency at which
-    /// teeth pass.
+    /// teeth pass, nor by a mean over a revolution that may mislead.
     pub fn verdict(&self) -> Verdict {
         let depth = self.cut.milling.engagement.depth();
-        let is_vague = self.ends_below_teeth() || self.measured.as_ref().is_some_and(|measured| measured.is_coarse);
+        let is_vague = self.ends_below_teeth()
+            || self.may_mislead()
+            || self.measured.as_ref().is_some_and(|measured| measured.is_coarse);
         if self.drives_are_assumed || is_vague {
             return Verdict::NotDecided;
         }

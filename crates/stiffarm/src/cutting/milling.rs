@@ -481,4 +481,38 @@ mod tests {
         assert!(cut(|one| one.diameter = f64::INFINITY).is_err());
         assert!(cut(|one| one.helix = 2.0).is_err());
     }
+
+    /// An arc in two pieces is one arc; and of two depths each piece gives what it would alone.
+    #[test]
+    fn arcs_add_up() {
+        let arc = |depth: f64, entry: f64, exit: f64| CutArc { depth, entry, exit };
+        let with = |arcs: &[CutArc], helix: f64| Milling {
+            engagement: Engagement { arcs: arcs.to_vec(), feed_per_tooth: 1e-4 },
+            ..mill(Side::Slot, 0.016, helix, LINEAR)
+        };
+        let flat = |one: &Milling| one.changes(1.0).unwrap().concat();
+        for helix in [0.0, 0.5] {
+            let whole = with(&[arc(0.002, 0.4, 2.6)], helix);
+            let split = with(&[arc(0.002, 0.4, 1.7), arc(0.002, 1.7, 2.6)], helix);
+            close(&split.mean(), &whole.mean(), 1e-13);
+            for angle in [0.2, 0.9, 1.6, 2.2] {
+                close(&split.at(angle), &whole.at(angle), 1e-9);
+            }
+            // By a wall that moves: a step of a thousandth of the radius sees the third order.
+            close(&flat(&split), &flat(&whole), 1e-5);
+            close(split.mean_directional().as_slice(), whole.mean_directional().as_slice(), 1e-13);
+            close(split.step_directional(0.3, 0.9).as_slice(), whole.step_directional(0.3, 0.9).as_slice(), 1e-13);
+            // Half a depth on one piece: A0 counts by the larger one.
+            let parts = [arc(0.001, 0.4, 1.7), arc(0.002, 1.7, 2.6)];
+            let (uneven, [shallow, deep]) = (with(&parts, helix), parts.map(|part| with(&[part], helix)));
+            let sum: Vec<f64> = shallow.mean().iter().zip(deep.mean()).map(|(a, b)| a + b).collect();
+            close(&uneven.mean(), &sum, 1e-13);
+            let of_both = |of: fn(&Milling) -> nalgebra::Matrix3x2<f64>| 0.5 * of(&shallow) + of(&deep);
+            close(uneven.mean_directional().as_slice(), of_both(Milling::mean_directional).as_slice(), 1e-13);
+            let step = |one: &Milling| one.step_directional(0.3, 0.9);
+            close(step(&uneven).as_slice(), of_both(step).as_slice(), 1e-13);
+        }
+        let gone = with(&[arc(0.002, 1.7, 2.6), arc(0.002, 0.4, 1.7)], 0.0);
+        assert!(gone.force(1.0).is_err() && with(&[], 0.0).force(1.0).is_err());
+    }
 }

@@ -228,8 +228,8 @@ fn about_spindle(moves: &[Move], forcing: &Forcing) -> Option<String> {
     let Forcing::Process(Process { spindle: Some(meant), .. }) = forcing else { return None };
     let per_minute = |spindle: f64| (spindle * 60.0 / TAU).round();
     let feeds = moves.iter().filter(|one| one.kind == MoveKind::Feed);
-    let others = feeds.filter_map(|one| one.given.spindle.map(|spindle| (spindle, one.line)));
-    let (spindle, line) = others.into_iter().find(|(spindle, _)| 0.01 < (spindle / meant - 1.0).abs())?;
+    let mut speeds = feeds.filter_map(|one| one.given.spindle.map(|spindle| (spindle, one.line)));
+    let (spindle, line) = speeds.find(|(spindle, _)| 0.01 < (spindle / meant - 1.0).abs())?;
     Some(format!(
         "{}the path turns the spindle at {} rpm where the process means {}: forces, power and chatter are those of the process",
         of_line(line),
@@ -387,7 +387,7 @@ fn along_cut(sample: &Sample, force: &Vector3<f64>) -> Acting {
 mod tests {
     use super::*;
     use crate::catalogue::read_process;
-    use crate::toolpath::Builtin;
+    use crate::toolpath::{Builtin, Course, ToolPose};
 
     const SLOT: &str = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\nktc_n_per_mm2 = 767.01\nkrc_n_per_mm2 = 168.8\n\
         kac_n_per_mm2 = 222\nkte_n_per_mm = 27.7\nkre_n_per_mm = 26.6\nkae_n_per_mm = 0.7\n[engagement]\nap_mm = 2\n\
@@ -426,7 +426,6 @@ mod tests {
     /// A path that begins twice, turns once sharply and once not: counted by hand, and only where the cut is that of the process.
     #[test]
     fn a_cut_that_may_be_wider_than_given_is_warned_of_where_it_begins_and_turns() {
-        use crate::toolpath::{Course, MoveKind, ToolPose};
         let pose = |[x, y]: [f64; 2]| ToolPose { tip: Vector3::new(x, y, 0.0), axis: Vector3::z() };
         let one = |line, kind, from, to, given| Move {
             line,
@@ -492,6 +491,52 @@ mod tests {
         assert!(remarks(Some(8000.0)).contains(told), "{}", remarks(Some(8000.0)));
         for rpm in [None, Some(12000.0)] {
             assert!(!remarks(rpm).contains("spindle"), "{}", remarks(rpm));
+        }
+    }
+
+    /// A wall on the left of a tool that turns left is climbed, and a ramp has the chips of its feed across: the force of the process that says so.
+    #[test]
+    fn a_stock_tells_the_side_of_a_tool_that_turns_left_and_the_chips_of_a_ramp() {
+        let law = |is_clockwise: bool, side: Side, depth: f64, share: f64| {
+            let Law::Milling(milling) = process().law else { unreachable!("a mill") };
+            let engagement =
+                Engagement::at_depth(depth, Engagement::angles(side, 0.004, milling.diameter), share * 1e-4);
+            Process { is_clockwise, law: Law::Milling(Milling { engagement, ..milling }), ..process() }
+        };
+        // The block reaches from the axis' left by 4 mm into the rim, x along it.
+        let along = |drop: f64| {
+            let pose = |x: f64, z: f64| ToolPose { tip: Vector3::new(x, -0.004, z), axis: Vector3::z() };
+            let (from, to) = (pose(0.03, -0.002), pose(0.07, -0.002 - drop));
+            let feed = Some(0.01);
+            [Move {
+                line: 1,
+                kind: MoveKind::Feed,
+                from,
+                to,
+                course: Course::Line,
+                feed,
+                normals: None,
+                given: Given::default(),
+            }]
+        };
+        for (is_clockwise, side) in [(true, Side::Up), (false, Side::Down)] {
+            let mut stock = Stock::block([0.0, 0.0, -0.03], [0.1, 0.1, 0.0], 5e-5).unwrap();
+            let forcing = Forcing::Process(Process { is_clockwise, ..process() });
+            let found = forced(&along(0.0), &Steps::USUAL, &forcing, Some(&mut stock), Watch::nobody()).unwrap();
+            let (expected, _) = law(is_clockwise, side, 0.002, 1.0).mean().unwrap().unwrap();
+            for (a, b) in force(&found.stations[2]).iter().zip(expected) {
+                assert!((a - b).abs() < 0.02 * expected[1].abs(), "{a} is not {b} of {expected:?}");
+            }
+        }
+        // 30 deg down: at its end 23 mm deeper.
+        let mut stock = Stock::block([0.0, 0.0, -0.03], [0.1, 0.1, 0.0], 5e-5).unwrap();
+        let (fall, forcing) = ((PI / 6.0 - 1e-3).tan(), Forcing::Process(process()));
+        let found = forced(&along(0.04 * fall), &Steps::USUAL, &forcing, Some(&mut stock), Watch::nobody()).unwrap();
+        let last = found.stations.last().unwrap();
+        let across = (PI / 6.0 - 1e-3).cos();
+        let (expected, _) = law(true, Side::Up, 0.002 + 0.04 * fall, across).mean().unwrap().unwrap();
+        for (a, b) in force(last).iter().zip(expected) {
+            assert!((a - b).abs() < 0.03 * expected[1].abs(), "{a} is not {b} of {expected:?}");
         }
     }
 

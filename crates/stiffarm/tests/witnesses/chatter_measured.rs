@@ -343,3 +343,19 @@ fn a_coarse_table_and_one_that_ends_below_the_teeth_decide_nothing() {
     assert_eq!(verdict(2.0, 440.0), Verdict::NotDecided);
     assert_eq!(verdict(300.0, 3000.0), Verdict::NotDecided);
 }
+
+/// Teeth that cut for half of the time or less hit: their mean called a cut calm up to 28.9 mm that swings from 12.1.
+#[test]
+fn a_table_without_modes_decides_nothing_of_short_cuts() {
+    let arm = kr210();
+    let tip =
+        MeasuredTip { held_by: HeldBy::Robot, response: sampled(2.0, 3000.0, |hertz| receptance(&SPINDLE, hertz)) };
+    for depth in [1e-6, 0.1] {
+        let mut short = slot();
+        short.teeth = 1;
+        short.engagement = stiffarm::cutting::Engagement::at_depth(depth, [PI / 2.0, PI], 1e-4);
+        let answer = found(&arm, &short, 4000.0, (along_y(), &tip));
+        assert!(answer.may_mislead());
+        assert_eq!(answer.verdict(), Verdict::NotDecided);
+    }
+}
