@@ -125,7 +125,7 @@ fn a_path_that_its_arm_may_miss_is_not_sure_on_any_face() {
         &format!("mean force {:.1} N", mean.sqrt()),
         "0.45 mm: pass, not sure (P = ",
         "of the drives alone), margin",
-        "with the geometry (besides) it is more",
+        "with the geometry (below) it is more",
     ] {
         assert!(text.contains(says), "{says}: {text}");
     }
@@ -160,35 +160,32 @@ fn what_a_calibration_leaves_counts_in_the_verdict() {
         ["calibrate", KUKA, "docs/examples/tracker.csv", "--level", "zeros", "--controller-model", "nominal"];
     let (code, _, said) = run(&[&calibrated[..], &["-o", &file]].concat());
     assert_eq!(code, 0, "{said}");
-    let of = |tolerance: f64| {
-        let tolerance = tolerance.to_string();
-        json(&[
-            "mill",
-            "line:0.1",
-            "--robot",
-            &file,
-            "--tool",
-            "spindle:250@90",
-            "--force-n",
-            "100,50,50",
-            "--at",
-            "1.7,0,0.8",
-            "--stiffness-uncertainty",
-            "0.01",
-            "--compensate",
-            "--tolerance-mm",
-            &tolerance,
-        ])
-    };
-    let found = of(5.0);
+    let asked = ["mill", "line:0.1", "--robot", &file, "--tool", "spindle:250@90", "--force-n", "100,50,50"];
+    let stands = ["--at", "1.7,0,0.8", "--tolerance-mm"];
+    let compensate = ["--stiffness-uncertainty", "0.01", "--compensate"];
+    let answer =
+        |tolerance: f64, how: &[&str]| json(&[&asked[..], &stands, &[tolerance.to_string().as_str()], how].concat());
+    let found = answer(5.0, &compensate);
     let number = |value: &Value| value.as_f64().expect("a number");
     let (median, left) =
         (number(&found["compensation"]["left_median_mm"]), number(&found["true_arm"]["calibration_left_mm"]));
     assert!(0.01 < left && found["arm_error"].is_null(), "{median} {left}");
     for (tolerance, verdict) in [(median + 0.9 * left, "pass, not sure"), (median + 1.1 * left, "pass")] {
-        let found = &of(tolerance)["compensation"];
+        let found = &answer(tolerance, &compensate)["compensation"];
         assert!(0.95 <= number(&found["probability"]), "{found}");
         assert_eq!(found["verdict"], verdict, "{tolerance}: {median} {left}");
+    }
+    // A program that does not know the arm errs by more than the corrected one does.
+    let prior = ["--stiffness", "prior", "--work-frame", "measured"];
+    let errs = &answer(5.0, &prior)["true_arm"];
+    let [uncorrected, corrected] = ["uncorrected_mm", "by_geometry_mm"].map(|key| number(&errs[key]));
+    assert!(corrected + left < 0.9 * uncorrected, "{errs}");
+    for (share, verdict) in [(0.99, "pass, not sure"), (1.01, "pass")] {
+        let tolerance = (share * uncorrected).to_string();
+        let asked = [&asked[..], &stands, &[tolerance.as_str()], &prior].concat();
+        assert_eq!(json(&asked)["verdict"], verdict, "{tolerance}: {uncorrected}");
+        let says = page(&asked).contains("A program that does not correct the geometry of this arm errs by");
+        assert_eq!(says, share < 1.0);
     }
 }
 

@@ -78,7 +78,8 @@ impl MillAnswer {
         sentences.extend(self.left());
         let milled = self.milled_verdict().unwrap_or(verdict);
         let left = (tolerance - milled.margin_mm) / 1e3;
-        sentences.extend(self.geometry_exceeds(tolerance, left).filter(|_| milled.passes));
+        let exceeded = self.geometry_exceeds(tolerance, left, self.compensation.is_some());
+        sentences.extend(exceeded.filter(|_| milled.passes));
         (judged(milled), sentences)
     }
 

@@ -151,8 +151,20 @@ impl MillAnswer {
         self.drawn_error().map_or_else(String::new, drawn)
     }
 
-    /// The geometry errs by so much that a tolerance, mm, is not kept, although a deflection, m, keeps it: that verdict is of the deflection alone.
-    pub(in crate::answer) fn geometry_exceeds(&self, tolerance_mm: f64, deflection: f64) -> Option<String> {
+    /// The geometry errs by so much that a tolerance, mm, is not kept, although a deflection, m, of a program that is compensated or not keeps it:
+    /// that verdict is of the deflection alone.
+    pub(in crate::answer) fn geometry_exceeds(
+        &self,
+        tolerance_mm: f64,
+        deflection: f64,
+        is_compensated: bool,
+    ) -> Option<String> {
+        let uncorrected = || if is_compensated { None } else { self.geometry_uncorrected(tolerance_mm) };
+        self.geometry_left(tolerance_mm, deflection).or_else(uncorrected)
+    }
+
+    /// The same of what nobody corrects: that of an arm that was not calibrated, or what its calibration leaves.
+    fn geometry_left(&self, tolerance_mm: f64, deflection: f64) -> Option<String> {
         let (besides, what, helps) = match (&self.robot.calibration, self.drawn_error()) {
             (Some(known), _) => (
                 known.left_out,
@@ -172,6 +184,18 @@ impl MillAnswer {
             _ => return None,
         };
         Some(format!("{}, {more}: {helps}", what.replace("{}", &fixed(besides * 1e3, 2))))
+    }
+
+    /// The same of a program that does not know the calibrated arm; one that is compensated is written for it.
+    fn geometry_uncorrected(&self, tolerance_mm: f64) -> Option<String> {
+        let ArmErrors { uncorrected, by_geometry, .. } = self.on_true_arm()?.errors;
+        let tolerance = tolerance_mm / 1e3;
+        (by_geometry <= tolerance && tolerance < uncorrected).then(|| {
+            format!(
+                "A program that does not correct the geometry of this arm errs by {} mm, more than the tolerance: a program written by `stiffarm mill` (such as -o program.src) corrects it.",
+                fixed(uncorrected * 1e3, 2)
+            )
+        })
     }
 
     /// What of it stands in the head of a program.

@@ -175,20 +175,20 @@ impl MillAnswer {
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, found) = self.tolerance_mm.zip(self.followed())?;
         let known = self.draws.clone().map(|draws| Known::of(draws, Some(tolerance)));
-        self.judged(found.worst.0, known.and_then(|known| known.holds))
+        self.judged(found.worst.0, known.and_then(|known| known.holds), false)
     }
 
     /// The same of what compensation leaves, the median of the draws as the nominal value; `None`, too, where nothing says how far the drives may
     /// be off.
     pub(super) fn compensated_verdict(&self) -> Option<Verdict> {
         let (tolerance, (left, _)) = self.tolerance_mm.zip(self.compensation.as_ref()?.remaining.as_ref())?;
-        self.judged(left.median, Known::of(left.all.clone(), Some(tolerance)).holds)
+        self.judged(left.median, Known::of(left.all.clone(), Some(tolerance)).holds, true)
     }
 
     /// A deflection, m, held with such a probability, beside what the geometry errs.
-    fn judged(&self, deflection: f64, holds: Option<f64>) -> Option<Verdict> {
+    fn judged(&self, deflection: f64, holds: Option<f64>, is_compensated: bool) -> Option<Verdict> {
         let tolerance = self.tolerance_mm?;
-        let is_of_drives_alone = self.geometry_exceeds(tolerance, deflection).is_some();
+        let is_of_drives_alone = self.geometry_exceeds(tolerance, deflection, is_compensated).is_some();
         Some(Verdict { is_of_drives_alone, ..Verdict::of(deflection, tolerance).with(holds) })
     }
 
@@ -196,7 +196,7 @@ impl MillAnswer {
     /// is known of the drives.
     pub(super) fn milled_verdict(&self) -> Option<Verdict> {
         let Some(Compensation { done, .. }) = &self.compensation else { return self.verdict() };
-        self.compensated_verdict().or_else(|| self.judged(done.by_joints, None))
+        self.compensated_verdict().or_else(|| self.judged(done.by_joints, None, true))
     }
 
     /// The largest force along the path, N.

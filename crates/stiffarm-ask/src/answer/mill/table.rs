@@ -181,7 +181,7 @@ impl MillAnswer {
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
             let is_alone = verdict.passes && verdict.is_of_drives_alone;
-            let alone = if is_alone { "; with the geometry (besides) it is more" } else { "" };
+            let alone = if is_alone { "; with the geometry (below) it is more" } else { "" };
             lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.in_words())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
