@@ -305,3 +305,19 @@ fn a_plan_says_what_decides_it_and_repeats_no_posture_often() {
     let (_, text, _) = run(&spindle);
     assert!(text.contains("MEASURE UNDER MORE LOADS") && text.contains("--loads down,left shows drive 1"), "{text}");
 }
+
+/// A path that keeps clear of wide, estimated bodies is worse than the best: the answer says what the best one errs by, which is what it errs by where
+/// there is nothing to meet.
+#[test]
+fn what_keeping_clear_of_wide_bodies_costs_is_told() {
+    let mill = ["mill", "line:0.3", "--robot", "KUKA KR 120 R2500 pro", "--tool", "spindle:250@90"];
+    let asked = [&mill[..], &["--process", "docs/examples/endmill.toml", "--at", "1.4,0,0.7"]].concat();
+    let beside = [&asked[..], &["--keep-out", "1.8..3,-2..2,1.1..3"]].concat();
+    let number = |answer: &Value, key: &str| answer[key].as_f64().unwrap_or_else(|| panic!("{key}: {answer}"));
+    let [alone, clear] = [&asked, &beside].map(|asked| json(asked));
+    let [best, told] = [number(&alone, "worst_mm"), number(&clear, "error_without_wide_mm")];
+    assert!((best - told).abs() <= 1e-9 * best, "{best} {told}");
+    assert!(told < number(&clear, "worst_mm") && 0.0 < number(&clear, "clearance_wide_mm"));
+    assert!(alone["error_without_wide_mm"].is_null());
+    assert!(run(&beside).1.contains(&format!("{best:.4} mm, along a path on which bodies that hold nine arms in ten")));
+}

@@ -68,6 +68,7 @@ fields! {
     BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
     WORK_FRAME: "work_frame", Kind::Text, "How the place of the work was found: measured or touched; null where nothing is followed.";
     TRUE_ARM: "true_arm", Kind::Object, "The largest error of the calibrated arm, geometry and load together; null of an arm that was not calibrated.";
+    ERROR_WITHOUT_WIDE: "error_without_wide_mm", Kind::Number(Unit::Millimetre), "The largest error of the best path, where `clearance_wide_mm` ruled it out and this one is worse.";
     UNCORRECTED: "uncorrected_mm", Kind::Number(Unit::Millimetre), "Where nothing is corrected.";
     BY_STIFFNESS: "by_stiffness_mm", Kind::Number(Unit::Millimetre), "Where the deflection alone is; null under a force that may point anywhere.";
     BY_GEOMETRY: "by_geometry_mm", Kind::Number(Unit::Millimetre), "Where the geometry alone is.";
@@ -180,6 +181,7 @@ const OF_CLEARANCE: &[Slot] = slots![
     CLEARANCE_OUTSIDE | null,
     CLEARANCE_WIDE | null,
     CLEARANCE_WIDE_OF | null,
+    ERROR_WITHOUT_WIDE | null,
     ASKED_CLEARANCE | null,
     CONTACTS | null => shape::PATH_CONTACT,
     UNAVOIDABLE | null => shape::PATH_CONTACT,

@@ -121,6 +121,7 @@ impl MillAnswer {
             .put(field::CLEARANCE_OUTSIDE, nearest.map(|nearest| nearest.outside))
             .put(field::CLEARANCE_WIDE, wide.map(|wide| wide.distance))
             .put(field::CLEARANCE_WIDE_OF, wide.map(|wide| bodies(wide.link, wide.to)))
+            .put(field::ERROR_WITHOUT_WIDE, found.and_then(|found| found.without_wide))
             .put(field::ASKED_CLEARANCE, answer.and_then(|answer| Some(answer.options.clear_of.as_ref()?.clearance)))
             .put(field::CONTACTS, found.map(|found| found.contacts.iter().filter_map(contact).collect::<Datum>()))
             .put(field::UNAVOIDABLE, found.and_then(|found| found.unavoidable.as_ref()).and_then(contact));
@@ -147,6 +148,10 @@ impl MillAnswer {
                 format!("{apart} mm at {} samples and between them, {}", nearest.poses, clearance_between(nearest)),
             )
         });
+        let without_wide = found.without_wide.map(|error| {
+            let error = fixed(error * 1e3, 4);
+            line("without that", format!("{error} mm, along a path on which bodies that hold nine arms in ten come nearer; measured links (the robot file) may allow it"))
+        });
         let unavoidable =
             self.unavoidable_sentence().map(|sentence| line(self.called(found.unavoidable.as_ref()), sentence));
         let others = || found.contacts.iter().filter(|contact| Some(*contact) != found.unavoidable.as_ref());
@@ -154,7 +159,7 @@ impl MillAnswer {
             others().take(MOST_SHOWN).map(|contact| line(self.called(Some(contact)), self.sentence(contact)));
         let more = others().count().saturating_sub(MOST_SHOWN);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
-        nearest.into_iter().chain(unavoidable).chain(contacts).chain(more).collect()
+        nearest.into_iter().chain(without_wide).chain(unavoidable).chain(contacts).chain(more).collect()
     }
 
     /// Which collisions were looked for, and which were not.

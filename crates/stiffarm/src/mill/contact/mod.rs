@@ -78,6 +78,9 @@ pub struct PathClearance {
     /// Of a path that is not clear: what is nearer than was asked at some station whatever the roll and the configuration, as the one of them that
     /// is the farthest from it has it. `None` where nothing of that kind is known.
     pub unavoidable: Option<Contact>,
+    /// The largest error, m, of the best path, where that was left because wide bodies, which are estimated, come nearer to something along it than
+    /// was asked, and this one is worse; `None` where it is the best.
+    pub without_wide: Option<f64>,
 }
 
 /// A stretch of the path along which a link is nearer to something than was asked.

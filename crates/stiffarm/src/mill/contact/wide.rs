@@ -7,7 +7,7 @@ use crate::mill::fault::{Blocked, MillError, Why};
 use crate::mill::follow::Stand;
 use crate::mill::ladder::Ladder;
 use crate::mill::solve::{Question, ROLLS};
-use crate::mill::{Followed, Milled, PathClearance};
+use crate::mill::{Followed, Milled, PathClearance, worst};
 use crate::watch::Watch;
 
 impl Question<'_> {
@@ -30,6 +30,8 @@ impl Question<'_> {
         let Ok(samples) = self.over(&mut ladder, stand, Some(&all), watch)? else { return Ok(Milled::Followed(found)) };
         // What is followed clear of all bodies is so clear of some of them.
         let Ok(along) = known.along(&samples, watch)? else { return Ok(Milled::Followed(found)) };
+        let without_wide = Some(found.worst.0).filter(|better| *better < worst(&samples).0);
+        let along = PathClearance { without_wide, ..along };
         let clear = self.followed(samples, found.lower_bound, Some(along));
         let clear = self.with_wide(clear, &wide, watch)?;
         Ok(clear.map_or_else(Milled::Blocked, |(clear, _)| Milled::Followed(clear)))
