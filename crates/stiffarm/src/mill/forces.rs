@@ -174,6 +174,7 @@ pub fn forced(
     }
     remarks.extend(about_feeds(&stations, forcing));
     remarks.extend(about_spindle(moves, forcing));
+    remarks.extend(about_turning(moves, forcing));
     if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
         remarks.extend(about_engagement(&stations, &taken, milling));
     }
@@ -235,6 +236,20 @@ fn about_spindle(moves: &[Move], forcing: &Forcing) -> Option<String> {
         of_line(line),
         per_minute(spindle),
         per_minute(*meant)
+    ))
+}
+
+/// Where the path turns a mill the other way than the process means.
+fn about_turning(moves: &[Move], forcing: &Forcing) -> Option<String> {
+    let Forcing::Process(Process { is_clockwise: meant, law: Law::Milling(_), .. }) = forcing else { return None };
+    let is_other =
+        |one: &&Move| one.kind == MoveKind::Feed && one.given.is_clockwise.is_some_and(|turns| turns != *meant);
+    let line = moves.iter().find(is_other)?.line;
+    let [turns, meant] =
+        [!meant, *meant].map(|is_clockwise| if is_clockwise { "clockwise" } else { "counter-clockwise" });
+    Some(format!(
+        "WRONG WAY: {}the path turns the spindle {turns} where the process means {meant}: forces point as those of the process, and up is down milling there",
+        of_line(line)
     ))
 }
 
@@ -387,7 +402,7 @@ fn along_cut(sample: &Sample, force: &Vector3<f64>) -> Acting {
 mod tests {
     use super::*;
     use crate::catalogue::read_process;
-    use crate::toolpath::{Builtin, Course, ToolPose};
+    use crate::toolpath::{Builtin, Course, Format, ReadOptions, ToolPose, read};
 
     const SLOT: &str = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\nktc_n_per_mm2 = 767.01\nkrc_n_per_mm2 = 168.8\n\
         kac_n_per_mm2 = 222\nkte_n_per_mm = 27.7\nkre_n_per_mm = 26.6\nkae_n_per_mm = 0.7\n[engagement]\nap_mm = 2\n\
@@ -491,6 +506,40 @@ mod tests {
         assert!(remarks(Some(8000.0)).contains(told), "{}", remarks(Some(8000.0)));
         for rpm in [None, Some(12000.0)] {
             assert!(!remarks(rpm).contains("spindle"), "{}", remarks(rpm));
+        }
+    }
+
+    #[test]
+    fn a_mill_that_the_path_turns_the_other_way_is_told() {
+        let other = "rotation = \"counter-clockwise\"\n";
+        let (left, right) = (
+            "counter-clockwise where the process means clockwise",
+            "clockwise where the process means counter-clockwise",
+        );
+        for (process, says, told) in [
+            ("", "M3", None),
+            ("", "M5", None),
+            ("", "M4", Some(left)),
+            (other, "M3", Some(right)),
+            (other, "M4", None),
+            ("", "SPINDL/RPM,8000,CLW", None),
+            ("", "SPINDL/RPM,8000,CCLW", Some(left)),
+        ] {
+            let process = Forcing::Process(read_process(&format!("{process}{SLOT}"), "slot.toml").unwrap().process);
+            let (format, text) = if says.starts_with('M') {
+                (Format::GCode, format!("G21 G90\nG0 X0 Y0 Z0\n{says}\nG1 X100.0 F600\nM30\n"))
+            } else {
+                (Format::Apt, format!("UNITS/MM\n{says}\nFEDRAT/600,MMPM\nGOTO/0,0,0\nGOTO/100,0,0\nFINI\n"))
+            };
+            let mut moves = Vec::new();
+            let mut take = |one: &Move| moves.push(*one);
+            read(&mut text.as_bytes(), "turns", format, &ReadOptions::default(), &mut take, &mut |_| Ok(())).unwrap();
+            let remarks = forced(&moves, &Steps::USUAL, &process, None, Watch::nobody()).unwrap().remarks;
+            let turning = remarks.iter().find(|remark| remark.contains("turns the spindle"));
+            match told {
+                None => assert_eq!(turning, None, "{says}"),
+                Some(told) => assert!(turning.is_some_and(|remark| remark.contains(told)), "{says}: {remarks:?}"),
+            }
         }
     }
 

@@ -56,12 +56,14 @@ pub struct Given {
     pub tool: Option<u32>,
     /// How fast the spindle turns, rad/s.
     pub spindle: Option<f64>,
+    /// The spindle turns clockwise, seen from the spindle to the tip.
+    pub is_clockwise: Option<bool>,
 }
 
 impl Given {
-    /// What a program says of every move: the tool, and turns of the spindle a minute.
-    pub(super) fn under(tool: Option<u32>, turns: Option<f64>) -> Self {
-        Self { tool, spindle: turns.map(|turns| turns * TAU / 60.0), ..Self::default() }
+    /// What a program says of every move: the tool, turns of the spindle a minute, and which way it turns.
+    pub(super) fn under(tool: Option<u32>, turns: Option<f64>, is_clockwise: Option<bool>) -> Self {
+        Self { tool, spindle: turns.map(|turns| turns * TAU / 60.0), is_clockwise, ..Self::default() }
     }
 }
 

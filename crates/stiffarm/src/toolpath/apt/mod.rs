@@ -69,6 +69,8 @@ pub(super) struct Reader<'a> {
     feed: Option<Feed>,
     /// Turns a minute.
     spindle: Option<f64>,
+    /// Which way it turns, once that is said.
+    is_clockwise: Option<bool>,
     circle: Option<Circle>,
     cycle: Option<Cycle>,
     /// A cycle has begun in this line, and what it does was not said yet.
@@ -103,6 +105,7 @@ impl<'a> Reader<'a> {
             is_rapid: false,
             feed: None,
             spindle: None,
+            is_clockwise: None,
             circle: None,
             cycle: None,
             cycle_begun: None,
@@ -363,7 +366,7 @@ impl<'a> Reader<'a> {
         }
         let kind = if is_rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let feed = if is_rapid { None } else { Some(self.speed(word)?) };
-        let given = Given::under(self.tool, self.spindle.filter(|turns| 0.0 < *turns));
+        let given = Given::under(self.tool, self.spindle.filter(|turns| 0.0 < *turns), self.is_clockwise);
         let one = Move { line, kind, from, to, course, feed, normals: None, given };
         (self.sink)(&one);
         self.tangent = one.direction(1.0).filter(|_| !is_rapid);

@@ -36,6 +36,12 @@ struct Levels {
 impl Reader<'_> {
     /// `SPINDL/`: turns a minute, unless it tells the speed of a surface.
     pub(super) fn take_spindle(&mut self, statement: &Statement) {
+        let way = statement.words().find_map(|word| match word {
+            "CLW" => Some(true),
+            "CCLW" => Some(false),
+            _ => None,
+        });
+        self.is_clockwise = way.or(self.is_clockwise);
         let is_of_surface = statement.words().any(|word| matches!(word, "SFM" | "SMM"));
         let turns = statement.first_number().filter(|_| !is_of_surface);
         self.spindle = if is_of_surface { None } else { turns.or(self.spindle) };

@@ -154,6 +154,8 @@ pub(super) enum Auxiliary {
     Call,
     /// That is over.
     Return,
+    /// The spindle turns, clockwise or not; that moves nothing.
+    Turns(bool),
     Inert,
     Refused(&'static str),
 }
@@ -162,6 +164,8 @@ pub(super) enum Auxiliary {
 pub(super) fn of_m(code: u16) -> Auxiliary {
     match code {
         20 | 300 => Auxiliary::End,
+        30 | 130 => Auxiliary::Turns(true),
+        40 | 140 => Auxiliary::Turns(false),
         980 => Auxiliary::Call,
         990 => Auxiliary::Return,
         470 => Auxiliary::Refused("it makes the program run without end; expected M2 or M30"),

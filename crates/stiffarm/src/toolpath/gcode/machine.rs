@@ -38,6 +38,8 @@ pub(super) struct Machine<'a> {
     pub(super) tool: Option<u32>,
     /// Turns of the spindle a minute, more than 0.
     pub(super) spindle: Option<f64>,
+    /// Which way it turns, once that is said.
+    pub(super) is_clockwise: Option<bool>,
     sink: &'a mut dyn FnMut(&Move),
 }
 
@@ -53,6 +55,7 @@ impl<'a> Machine<'a> {
             has_moved: false,
             tool: None,
             spindle: None,
+            is_clockwise: None,
             sink,
         }
     }
@@ -184,7 +187,7 @@ impl<'a> Machine<'a> {
             course,
             feed,
             normals: None,
-            given: Given::under(self.tool, self.spindle),
+            given: Given::under(self.tool, self.spindle, self.is_clockwise),
         });
         self.tip = to.tip;
         self.axis = to.axis;
