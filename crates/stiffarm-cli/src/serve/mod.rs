@@ -9,6 +9,7 @@ mod bounds;
 mod form;
 mod job;
 mod listen;
+mod once;
 mod openapi;
 mod options;
 mod page;

@@ -12,6 +12,7 @@ use stiffarm_ask::request::{Request, Spelling, Verb, sent};
 
 use super::bounds;
 use super::form::Wanted;
+use super::once::Once;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::common::Common;
@@ -63,7 +64,7 @@ impl Question {
 /// A body as JSON.
 pub(super) fn object(body: &[u8]) -> Result<Map<String, Value>, Refused> {
     match serde_json::from_slice(body) {
-        Ok(Value::Object(fields)) => Ok(fields),
+        Ok(Once(Value::Object(fields))) => Ok(fields),
         Ok(_) => Err(unlike("it is no object")),
         Err(error) => Err(unlike(&error.to_string())),
     }

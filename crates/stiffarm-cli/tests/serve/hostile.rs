@@ -62,6 +62,27 @@ fn no_name_that_is_sent_leads_to_a_file_of_the_server() {
     }
 }
 
+/// Of two forces of one name nobody knows which was meant.
+#[test]
+fn a_key_that_is_sent_twice_is_refused() {
+    let served = Served::start(&[]);
+    let once = r#"{"options": {"robot": "BT200L", "task": "circle:0.3", "force-n": 100}}"#;
+    assert_eq!(served.post("/api/place", "", once).status, 200);
+    for twice in [
+        r#"{"options": {"robot": "BT200L", "task": "circle:0.3", "force-n": 100, "force-n": 900}}"#,
+        r#"{"options": {"robot": "BT200L", "task": "circle:0.3"}, "options": {"robot": "BT200L", "task": "circle:0.9"}}"#,
+        r#"{"options": {"robot": "BT200L", "task": "circle:0.3", "cell": {"mount": "floor", "mount": "wall:1"}}}"#,
+    ] {
+        let refused = served.post("/api/place", "", twice);
+        assert_eq!(refused.status, 400, "{twice}: {}", refused.text());
+        assert!(
+            refused.json()["error"].as_str().unwrap().contains("is there twice; expected it once"),
+            "{}",
+            refused.text()
+        );
+    }
+}
+
 /// 10^10 samples of a question of a hundred letters, and of a program of one line that drills a million holes.
 #[test]
 fn a_path_of_more_samples_than_memory_has_room_for_is_refused_before_they_are_made() {
