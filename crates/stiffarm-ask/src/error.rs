@@ -160,6 +160,9 @@ pub enum AskError {
         /// Why.
         error: stiffarm::identify::IdentifyError,
     },
+    /// A robot file of which no drive was identified.
+    #[error("no robot file: no drive of {0} is identified")]
+    NotIdentified(String),
     /// Nothing to be measured.
     #[error("{robot}: {error}")]
     Measure {
@@ -318,7 +321,7 @@ impl AskError {
             Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
             Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
             Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",
-            Self::Identify { .. } => "`stiffarm measure ROBOT` tells which postures and loads to measure",
+            Self::Identify { .. } | Self::NotIdentified(_) => "`stiffarm measure ROBOT` tells which postures and loads to measure",
             Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
             Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
             Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",

@@ -26,12 +26,16 @@ fn model() -> Model {
 
 /// What is asked as it is typed.
 fn asked(given: &[(&str, &str)]) -> PlaceOptions {
+    request(given).place_options(None).unwrap()
+}
+
+fn request(given: &[(&str, &str)]) -> Request {
     let usual = [("model", "spatial"), ("task", "circle:0.3")];
     let usual = usual.into_iter().filter(|(name, _)| given.iter().all(|(other, _)| other != name));
     let typed = usual.chain(given.iter().copied());
     let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
     let pairs: Vec<Pair> = typed.map(pair).collect();
-    Request::read(Verb::Place, &pairs, Spelling::Typed).unwrap().place_options(None).unwrap()
+    Request::read(Verb::Place, &pairs, Spelling::Typed).unwrap()
 }
 
 fn best(zone: Zone, options: &PlaceOptions) -> Placement {
@@ -192,6 +196,15 @@ fn a_hanging_robot_does_upside_down_what_a_standing_one_does() {
     assert!((z - (3.0 - standing.centre[1])).abs() < 1e-9);
     let arm = arm_in_cell(&hanging, &cell);
     assert!(arm[4].z < arm[3].z, "the tool points down");
+}
+
+/// x and z of a place before a wall leave y open: it was searched as if nobody had asked for one place.
+#[test]
+fn one_place_before_a_wall_is_named_by_all_three_ranges() {
+    let of = |mount: &str| request(&[("mount", mount), ("at", "1.2,0.8")]).place_options(Some(CIRCLE));
+    let why = of("wall:2").unwrap_err().to_string();
+    assert!(why.contains("--at gives x and z alone") && why.contains("--within"), "{why}");
+    assert!(of("pedestal:0.5@90").is_ok() && of("ceiling:3").is_ok());
 }
 
 #[test]

@@ -100,6 +100,36 @@ fn the_answer_says_what_is_not_known_and_becomes_a_robot_file_that_other_verbs_r
     );
 }
 
+/// Displacements of other rows, along other axes, with other signs: no drive is shown, and no file says that one is.
+#[test]
+fn data_that_show_no_drive_make_no_robot_file() {
+    let text = fs::read_to_string(Path::new(ROOT).join(ASKED[1])).unwrap();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let header = lines.next().unwrap();
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let first = header.split(',').position(|name| name == "dx_m").unwrap();
+    let mixed = rows.iter().enumerate().map(|(k, row)| {
+        let sign = if k % 2 == 0 { -1.0 } else { 1.0 };
+        let other = &rows[(17 * k + 5) % rows.len()];
+        let moved = (0..3).map(|i| (sign * other[first + (i + 1) % 3].parse::<f64>().unwrap()).to_string());
+        row[..first].iter().map(|cell| (*cell).to_owned()).chain(moved).collect::<Vec<_>>().join(",")
+    });
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (data, robot, report) = (file("mixed.csv"), file("robot.toml"), file("report.html"));
+    fs::write(&data, [header.to_owned()].into_iter().chain(mixed).collect::<Vec<_>>().join("\n")).unwrap();
+    let mut asked = ASKED;
+    asked[1] = &data;
+    let found = json(&asked);
+    assert!(found["drives"].as_array().unwrap().iter().all(|drive| drive["identified"] == false), "{found}");
+    let refused = program(&[&asked[..], &["-o", &robot]].concat()).failure().code(1);
+    let errors = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+    assert!(errors.contains("no robot file: no drive of R-2000iC, measured is identified"), "{errors}");
+    assert!(!Path::new(&robot).exists());
+    program(&[&asked[..], &["-o", &report]].concat()).success();
+    assert!(fs::read_to_string(report).unwrap().contains("No drive is identified, so that there is none."));
+}
+
 #[test]
 fn what_is_wrong_is_named_with_its_place_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();

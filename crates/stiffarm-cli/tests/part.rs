@@ -231,6 +231,7 @@ fn wrong_meshes_are_refused_by_what_is_wrong() {
         (&["--part", "empty.stl"], 1, "empty.stl: it is empty"),
         (&["--part", "rib.stl", "--part-unit", "m"], 1, "m wide; expected at most 100 m"),
         (&["--part", "metres.stl"], 2, "part-unit"),
+        (&["--fixture", "metres.stl"], 2, "expected 5 mm or more: is its unit another one (part-unit)?"),
         (&["--part-unit", "m"], 2, "--part"),
         (&["--stick-out-mm", "80"], 2, "--part"),
         (&["--part", "rib.stl", "--stick-out-mm", "-1"], 2, "stick-out-mm"),

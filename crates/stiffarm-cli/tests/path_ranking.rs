@@ -120,6 +120,10 @@ fn what_does_not_go_with_a_path_is_refused_with_the_option() {
     for (words, expected) in [
         (&["rank", "--task", "line:0.05,circle:0.3"][..], "--task has a toolpath beside other tasks"),
         (&["rank", "--task", "line:0.05", "--model", "planar"], "--model does not go with a toolpath"),
+        (
+            &["rank", "--task", "line:0.05", "--tool-direction", "forward"],
+            "--tool-direction is asked of zones and parts; it does not go with a toolpath",
+        ),
         (&["rank", "--task", "line:0.05", "--angle", "free"], "--angle"),
         (&["mill", "line:0.05", "--robots", "paper", "--robot", "BT200L"], "exclude each other"),
         (&["mill", "line:0.05", "--robot", "BT200L", "--vendor", "KUKA"], "exclude each other"),

@@ -133,8 +133,8 @@ fn reply(asked: &Request, sources: &Sources, heard: &Heard, wanted: &Wanted) -> 
         value: found.value(),
         columns: columns(&found.rows()),
         robot_file: match found.robot_file() {
-            // Nothing fits: the answer says so itself.
-            Some(Err(ask::AskError::NotVerified(_))) | None => None,
+            // Nothing fits, or shows a drive: the answer says so itself.
+            Some(Err(ask::AskError::NotVerified(_) | ask::AskError::NotIdentified(_))) | None => None,
             Some(text) => Some(text?),
         },
         files: wanted.forms.iter().map(text).collect::<Result<_, ask::AskError>>()?,

@@ -138,9 +138,9 @@ impl IdentifyAnswer {
         Rows::of(&shape::IDENTIFIED_DRIVE, self.drives())
     }
 
-    /// The robot file with what was identified.
-    pub fn robot_file(&self) -> String {
-        write(&self.found.robot)
+    /// The robot file with what was identified; `None` where no drive was.
+    pub fn robot_file(&self) -> Option<String> {
+        (self.found.robot != self.found.known).then(|| write(&self.found.robot))
     }
 
     /// What stands above the drives: what was measured, and how well it is explained.
@@ -305,7 +305,8 @@ impl IdentifyAnswer {
             let _ = writeln!(notes, "{remark}");
         }
         notes += &self.read_as();
-        notes + "-o robot.toml writes the robot file, -o fit.svg, .png or .pdf draws what remains\n"
+        let writes = if self.robot_file().is_some() { "-o robot.toml writes the robot file, " } else { "" };
+        notes + writes + "-o fit.svg, .png or .pdf draws what remains\n"
     }
 
     /// How the joint angles of the table were read.

@@ -270,3 +270,12 @@ pub fn window(within: &Within, origin: &str) -> String {
     }
     format!("x {} m, z {} m from {origin}", range(within.x), range(within.z))
 }
+
+/// To follow why there is no place: whether that is proved, of the zone itself where no other size is told.
+pub(super) fn proved_none(is_proved: bool, largest_scale: Option<f64>) -> &'static str {
+    match (is_proved, largest_scale) {
+        (true, None) => "; it is proved that there is none",
+        (false, None) => "; the search found none, which is no proof",
+        (_, Some(_)) => "",
+    }
+}

@@ -55,7 +55,8 @@ impl Answer for IdentifyOutput<'_> {
     }
 
     fn robot_file(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(self.answer.robot_file()))
+        let nothing = || AskError::NotIdentified(self.answer.before.name.clone());
+        Some(self.answer.robot_file().ok_or_else(nothing))
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {

@@ -38,6 +38,10 @@ impl CellOptions {
             return Err(Unsupported::Floor);
         }
         let mount = self.mount.unwrap_or_else(|| Mount::pedestal(0.0));
+        let is_ring = matches!(self.windows.as_slice(), [Window::Ring { .. }]);
+        if self.is_at && is_ring && !mount.is_vertical() {
+            return Err(Unsupported::Beside);
+        }
         let mut cell = Cell { clearance: self.clearance, ..Cell::of(mount) };
         let tool_orientation = tool_orientation(&mut cell, options.tool_orientation())?;
         // The windows say where the work stands; where nothing is said, ahead and above the floor of the cell.

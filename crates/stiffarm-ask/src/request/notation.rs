@@ -405,7 +405,7 @@ pub fn window(text: &str) -> Result<Window, String> {
 /// What was expected.
 pub fn mount(text: &str) -> Result<Mount, String> {
     let expected = || {
-        "expected floor, pedestal:H, wall:H or ceiling:H with a height in m, or pose:x,y,z,rx,ry,rz in m and degrees; \
+        "expected floor, pedestal:H, wall:H or ceiling:H with a height in m (of a pedestal 0 or more), or pose:x,y,z,rx,ry,rz in m and degrees; \
          @DEG behind it turns it about the vertical"
             .to_owned()
     };
@@ -415,7 +415,9 @@ pub fn mount(text: &str) -> Result<Mount, String> {
     let (name, value) = what.split_once(':').unwrap_or((what, ""));
     let mount = match name.trim() {
         "floor" if value.is_empty() => Mount::pedestal(0.0),
-        "pedestal" => Mount::pedestal(height(value)?),
+        "pedestal" => {
+            Mount::pedestal(height(value).and_then(|height| if height < 0.0 { Err(expected()) } else { Ok(height) })?)
+        }
         "wall" => Mount::wall(height(value)?),
         "ceiling" => Mount::ceiling(height(value)?),
         "pose" => {
@@ -501,9 +503,18 @@ mod tests {
         assert_eq!(mount("wall:2.5@90"), Ok(Mount::wall(2.5).turned(90_f64.to_radians())));
         let posed = mount("pose:1,0.5,3,180,0,0").unwrap();
         assert!((posed.cell_from_base.inverse() * Mount::ceiling(3.0).cell_from_base).rotation.angle() < 1e-12);
-        for bad in
-            ["", "pedestal", "pedestal:x", "wall:1@x", "pose:1,2,3", "floor:1", "shelf:1", "wall:nan", "ceiling:1e9"]
-        {
+        for bad in [
+            "",
+            "pedestal",
+            "pedestal:x",
+            "pedestal:-0.5",
+            "wall:1@x",
+            "pose:1,2,3",
+            "floor:1",
+            "shelf:1",
+            "wall:nan",
+            "ceiling:1e9",
+        ] {
             assert!(mount(bad).is_err(), "{bad}");
         }
     }

@@ -36,6 +36,13 @@ fn of_path(verb: Verb, pairs: &[Pair]) -> Result<Option<Vec<Pair>>, Refusal> {
     if let Some(model) = model.filter(|model| model.text.trim() != "spatial") {
         return Err(refused(model, "model", "does not go with a toolpath, which is milled with all six drives"));
     }
+    let of_zones = |pair: &Pair| {
+        let row = verb.settings().find(|row| is(pair, row.name) && !["task", "model"].contains(&row.name))?;
+        Verb::Mill.setting(row.name).is_none().then_some(row.name)
+    };
+    if let Some((pair, name)) = pairs.iter().find_map(|pair| Some((pair, of_zones(pair)?))) {
+        return Err(refused(pair, name, "is asked of zones and parts; it does not go with a toolpath"));
+    }
     let mut asked: Vec<Pair> = pairs
         .iter()
         .filter(|pair| !is(pair, "model"))

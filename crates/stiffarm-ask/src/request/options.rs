@@ -62,6 +62,11 @@ pub enum Unsupported {
     /// On a wall only the vertical has one direction.
     #[error("on a mount that leans the tool points down or up")]
     Leaning,
+    /// Two numbers say nothing of the third direction.
+    #[error(
+        "gives x and z alone, and a base that neither stands upright nor hangs may have the work at any y; --within x0..x1,y0..y1,z0..z1 as wide as the task names one place"
+    )]
+    Beside,
     /// Only a flat zone has a middle that means something.
     #[error("is the middle of one flat zone; expected one task that is no part")]
     Middle,
@@ -81,7 +86,7 @@ impl Unsupported {
     pub(super) const fn setting(self) -> &'static str {
         match self {
             Self::LongSide | Self::Round | Self::FreeAtOnePlace => opt::ANGLE.name,
-            Self::Middle => opt::AT.name,
+            Self::Middle | Self::Beside => opt::AT.name,
             Self::Yaw | Self::YawAtOnePlace => opt::YAW_DEG.name,
             Self::CellInPlane => opt::WITHIN.name,
             Self::Leaning => opt::TOOL_DIRECTION.name,

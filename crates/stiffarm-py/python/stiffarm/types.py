@@ -1992,6 +1992,9 @@ class PathRankingRow(_Pass):
     clearance_wide_of: str | None
     """Which of those to what."""
 
+    error_without_wide_mm: float | None
+    """The largest error of the best path, where `clearance_wide_mm` ruled it out and this one is worse."""
+
     asked_clearance_mm: float | None
     """What the arm was to keep from everything; null where nobody looked."""
 
@@ -2705,6 +2708,9 @@ class MilledDict(_Pass):
     clearance_wide_of: str | None
     """Which of those to what."""
 
+    error_without_wide_mm: float | None
+    """The largest error of the best path, where `clearance_wide_mm` ruled it out and this one is worse."""
+
     asked_clearance_mm: float | None
     """What the arm was to keep from everything; null where nobody looked."""
 
@@ -2916,6 +2922,9 @@ class MilledWithTool(_Pass):
 
     clearance_wide_of: str | None
     """Which of those to what."""
+
+    error_without_wide_mm: float | None
+    """The largest error of the best path, where `clearance_wide_mm` ruled it out and this one is worse."""
 
     asked_clearance_mm: float | None
     """What the arm was to keep from everything; null where nobody looked."""

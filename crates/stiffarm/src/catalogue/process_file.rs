@@ -168,7 +168,7 @@ fn process(mut root: Table, beside: &mut dyn FnMut(&str) -> Result<String, Strin
         }
         "drilling" => {
             let mut table = root.table("drilling");
-            let parts = (table.number("thrust_n", FORCE), table.number("torque_nm", TORQUE));
+            let parts = (table.number("thrust_n", Quantity { min: 0.0, ..FORCE }), table.number("torque_nm", TORQUE));
             table.finish(&[]);
             parts.0.zip(parts.1).map(|(thrust, torque)| Law::Drilling { thrust, torque })
         }
@@ -221,7 +221,10 @@ fn preset(table: &mut Table) -> Option<Material> {
 }
 
 fn linear(table: &mut Table) -> Option<Edge> {
-    let chip = ["ktc_n_per_mm2", "krc_n_per_mm2", "kac_n_per_mm2"].map(|key| table.number(key, CHIP));
+    // A chip that is cut resists: along the edge and across it a fit may be of either sign.
+    let tangential = table.number("ktc_n_per_mm2", Quantity { min: 0.0, ..CHIP });
+    let [radial, axial] = ["krc_n_per_mm2", "kac_n_per_mm2"].map(|key| table.number(key, CHIP));
+    let chip = [tangential, radial, axial];
     let rubbing = ["kte_n_per_mm", "kre_n_per_mm", "kae_n_per_mm"].map(|key| table.number(key, RUBBING));
     match (chip, rubbing) {
         ([Some(tc), Some(rc), Some(ac)], [Some(te), Some(re), Some(ae)]) => {
@@ -377,6 +380,8 @@ mod tests {
             ("[constant]\nfeed_n = 1e6\nacross_n = 0\naxial_n = 0".into(), "p:2: constant.feed_n: 1000000 N; expected"),
             ("[constant]\nfeed_n = nan\nacross_n = 0\naxial_n = 0".into(), "constant.feed_n: NaN N"),
             ("[worst]\nforce_n = 0".into(), "worst.force_n: 0 N"),
+            ("[drilling]\nthrust_n = -5\ntorque_nm = 1".into(), "drilling.thrust_n: -5 N; expected 0"),
+            (GOOD.replace("preset = \"al7075-t6\"", "ktc_n_per_mm2 = -800"), "material.ktc_n_per_mm2: -800 N/mm2; expected 0"),
             (GOOD.replace("ap_mm = 2", "ap_mm = 160").replace("preset = \"al7075-t6\"", "ktc_n_per_mm2 = 1e5\nkrc_n_per_mm2 = 0\nkac_n_per_mm2 = 0\nkte_n_per_mm = 1e4\nkre_n_per_mm = 0\nkae_n_per_mm = 0"), "N; expected at most 1e6 N"),
             ("rotation = \"up\"\n[worst]\nforce_n = 1".into(), "rotation: \"up\" is not known"),
             ("a = [".into(), "p:1: "),

@@ -11,8 +11,7 @@ impl PlaceAnswer {
     pub fn headline(&self) -> Headline {
         let (outcome, sentences) = match &self.placed {
             Placed::Infeasible { reason, is_proved, largest_scale } => {
-                let proof =
-                    if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
+                let proof = words::proved_none(*is_proved, *largest_scale);
                 let text = format!("{} has no place for {}: {reason}{proof}.", self.robot.full_name(), self.task.label);
                 (Outcome::NoPlace, vec![text])
             }

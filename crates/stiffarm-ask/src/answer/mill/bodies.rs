@@ -10,6 +10,9 @@ const TOO_SMALL: f64 = 20.0;
 /// A part so many times as wide as its feed moves reach is asked about: it may be a hole in a wing.
 const LARGE: f64 = 100.0;
 
+/// A fixture that is less wide, m, was given in metres.
+const LEAST_WIDE: f64 = 5e-3;
+
 /// What stands at the work, where its mesh is given.
 #[derive(Clone, Debug, Default)]
 pub struct Bodies {
@@ -43,6 +46,7 @@ impl Bodies {
         if let Some(fixture) = &self.fixture {
             notes.extend(fixture.notes.iter().map(|note| format!("fixture: {note}")));
             notes.extend(fixture.beside_path("fixture", survey));
+            fixture.check_wide(asked)?;
         }
         Ok(notes)
     }
@@ -57,6 +61,20 @@ fn widest(extent: [[f64; 3]; 2]) -> f64 {
 }
 
 impl MeshFile {
+    /// What holds a part is not as small as a grain.
+    fn check_wide(&self, asked: &Request) -> Result<(), Refusal> {
+        let wide = widest(self.mesh.extent());
+        if LEAST_WIDE <= wide {
+            return Ok(());
+        }
+        let why = format!(
+            "is {} mm wide; expected {} mm or more: is its unit another one (part-unit)?",
+            fixed(wide * 1e3, 3),
+            fixed(LEAST_WIDE * 1e3, 0)
+        );
+        Err(asked.refused(opt::FIXTURE, why))
+    }
+
     /// A part is not far smaller than what is fed along it.
     fn check_size(&self, asked: &Request, survey: &Survey) -> Result<(), Refusal> {
         let Some(extent) = survey.extent.map(|corners| corners.map(<[f64; 3]>::from)) else { return Ok(()) };

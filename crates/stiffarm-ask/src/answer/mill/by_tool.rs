@@ -136,7 +136,7 @@ impl ByToolAnswer {
         let mut record = Record::of(&shape::MILLED_BY_TOOL);
         record
             .put(field::ROBOT, &self.robot.name)
-            .put(field::STIFFNESS_SOURCE, stiffness(&self.robot))
+            .put(field::STIFFNESS_SOURCE, self.robot.stiffness_source().name())
             .put(field::PATH, &self.path)
             .put(field::FEASIBLE, worst.is_some())
             .put(field::REASON, self.reason())

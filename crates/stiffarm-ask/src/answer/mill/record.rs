@@ -4,7 +4,6 @@ use serde_json::json;
 
 use super::super::cell as cell_report;
 use super::super::path::corners;
-use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
 use super::super::words::bodies;
 use super::super::{Cell, Column, ColumnKind, Datum, Record, Rows, field, shape};
@@ -23,7 +22,7 @@ impl MillAnswer {
         let mut record = Record::of(&shape::MILLED);
         record
             .put(field::ROBOT, &robot.name)
-            .put(field::STIFFNESS_SOURCE, stiffness(robot))
+            .put(field::STIFFNESS_SOURCE, robot.stiffness_source().name())
             .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::PATH, &self.path)
             .put(field::CUTTING_FORCE, &self.force);

@@ -47,8 +47,7 @@ impl PlaceAnswer {
         match placed {
             Placed::Feasible(best) => lines.extend(self.lines(best)),
             Placed::Infeasible { reason, is_proved, largest_scale } => {
-                let proof =
-                    if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
+                let proof = words::proved_none(*is_proved, *largest_scale);
                 lines.push(line(NO_PLACE, format!("{reason}{proof}")));
                 let scale = largest_scale.filter(|_| self.advice.is_none());
                 lines.extend(scale.map(|scale| line("largest zone of this shape", largest(task, scale))));

@@ -53,7 +53,7 @@ impl RankAnswer {
         let why = |(cell, task): (&stiffarm::rank::Cell, &stiffarm::task::Task)| match cell {
             Ok(Placed::Feasible(_)) => None,
             Ok(Placed::Infeasible { reason, is_proved, .. }) => {
-                let proof = if *is_proved { "; it is proved that there is none" } else { "" };
+                let proof = words::proved_none(*is_proved, None);
                 Some(format!("no place for {}: {reason}{proof}", task.label))
             }
             Err(error) => Some(format!("{}: {error}", task.label)),

@@ -35,7 +35,10 @@ pub(crate) fn of(
         None => fitting.text("No reading stands out."),
     }
     let mut file = Section::new("Robot file with what was identified").on_new_page();
-    file.blocks.push(Block::Code(answer.robot_file()));
+    match answer.robot_file() {
+        Some(text) => file.blocks.push(Block::Code(text)),
+        None => file.text("No drive is identified, so that there is none."),
+    }
     let mut provenance = provenance_of(&answer.before);
     provenance.text("The identification takes lengths and limits as they are.");
     let date = answer.date.as_ref().map_or_else(String::new, |date| format!(", measured {date}"));

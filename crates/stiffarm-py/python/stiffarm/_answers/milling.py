@@ -320,6 +320,9 @@ class Milled(Table[types.MilledDict]):
     clearance_wide_of: str | None
     """Which of those to what."""
 
+    error_without_wide_mm: float | None
+    """The largest error of the best path, where `clearance_wide_mm` ruled it out and this one is worse."""
+
     asked_clearance_mm: float | None
     """What the arm was to keep from everything; null where nobody looked."""
 
