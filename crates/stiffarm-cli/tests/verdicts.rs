@@ -321,3 +321,24 @@ fn what_keeping_clear_of_wide_bodies_costs_is_told() {
     assert!(alone["error_without_wide_mm"].is_null());
     assert!(run(&beside).1.contains(&format!("{best:.4} mm, along a path on which bodies that hold nine arms in ten")));
 }
+
+/// A place that is held in one go stands among stiffer ones that are not, in a window of which a narrower one told its value; and of a place that lies
+/// about a post the post is the reason. Neither search is a proof.
+#[test]
+fn a_place_among_others_that_turn_too_far_is_found_and_a_post_in_all_of_them_is_named() {
+    let place = ["place", KUKA, "--model", "spatial", "--tool-mm", "0,0,200"];
+    let wall = ["--task", "circle:0.2", "--mount=wall:1.6@88.2"];
+    let of =
+        |window: &'static str| json(&[&place[..], &wall, &["--within", window]].concat())["deflection_mm"].as_f64();
+    let narrow = of("0.75..0.955,1.41..1.612,0.97..0.97").expect("a place");
+    let wide = of("0.69..1.62,1.41..1.79,0.6..0.97").expect("a place");
+    assert!(wide <= narrow * 1.001, "{wide} {narrow}");
+    let window = ["--task", "circle:0.4", "--within", "1.2..1.6,-0.2..0.2,0.6..0.6"];
+    let post = ["--keep-out", "1.35..1.352,-0.001..0.001,0.55..0.65"];
+    let blocked = [&place[..], &window, &post].concat();
+    assert!(json(&[&place[..], &window].concat())["feasible"] == true);
+    let answer = json(&blocked);
+    assert_eq!((&answer["feasible"], &answer["proved"]), (&false.into(), &false.into()));
+    assert!(answer["reason"].as_str().unwrap().contains("in what must be kept free (keep-out)"), "{answer}");
+    assert!(run(&blocked).1.contains("the search found none, which is no proof"));
+}

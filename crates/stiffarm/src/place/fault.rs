@@ -18,6 +18,8 @@ pub enum Misfit {
     Limits,
     /// It fits the arm, but not where it may stand.
     Within,
+    /// Wherever it may stand, something of it lies in what must be kept free.
+    KeptFree,
     /// It fits, but no place keeps the margins.
     Margins,
     /// This face of a part has no place, even without the others.
@@ -58,6 +60,9 @@ impl std::fmt::Display for Misfit {
                 "does not fit the reachable set: the joint limits leave no place for it without a change of posture",
             ),
             Self::Within => f.write_str("does not fit where it may stand: no allowed place is reachable as a whole"),
+            Self::KeptFree => f.write_str(
+                "does not fit where it may stand: at every place that was tried it would lie in what must be kept free (keep-out)",
+            ),
             Self::Margins => f.write_str(
                 "has a place only nearer to a joint limit, to a straight posture, to the robot's column or to the floor than the margins allow",
             ),

@@ -160,7 +160,7 @@ impl<'a> CellSearch<'a> {
         }
         let free = self.coarse(&sites)?;
         if free.is_empty() {
-            return Ok(Err(Misfit::Within));
+            return Ok(Err(if self.ground.keeps_all_free(&sites) { Misfit::KeptFree } else { Misfit::Within }));
         }
         let best = match self.find((&free, step), effort, None)? {
             Ok(best) => best,
@@ -231,18 +231,25 @@ impl<'a> CellSearch<'a> {
         let clear = keep.map(|keep| self.settled((free, step), effort.starts, keep)).transpose()?;
         let seen = clear.as_deref().unwrap_or(free);
         let coarse = seen[0].score;
-        let mut rough = self.refined(&apart(seen, step, effort.starts), CELLS[1], step / 2.0, keep)?;
-        rough.truncate(effort.finalists);
-        let refined = self.refined(&rough, CELLS[2], step / 8.0, keep)?;
+        let rough = self.refined(&apart(seen, step, effort.starts), CELLS[1], step / 2.0, keep)?;
         let mut short: Option<f64> = None;
-        if let Some(found) = self.first_kept(&refined, (coarse, step), keep, &mut short)? {
-            return Ok(Ok(found));
+        let mut is_nowhere_whole = true;
+        // Where a joint must turn too far at the best, others may do.
+        for some in rough.chunks(effort.finalists) {
+            let refined = self.refined(some, CELLS[2], step / 8.0, keep)?;
+            is_nowhere_whole &= refined.is_empty();
+            if let Some(found) = self.first_kept(&refined, (coarse, step), keep, &mut short)? {
+                return Ok(Ok(found));
+            }
+            if short.is_some() {
+                break;
+            }
         }
         let fine = self.at_fine_rolls()?;
         if let Some(found) = self.first_kept(&fine, (coarse, step), keep, &mut short)? {
             return Ok(Ok(found));
         }
-        if refined.is_empty() && fine.is_empty() {
+        if is_nowhere_whole && fine.is_empty() {
             let step = if self.ground.is_one_place() { 0.0 } else { step };
             return Ok(Err(Untaken::Misfit(Misfit::NowhereWhole { step })));
         }

@@ -122,6 +122,33 @@ impl<'a> Ground<'a> {
 
     /// All of the zone lies in a window, nothing of it in what must be kept free, the tool may be turned so, and the bearing is one that is meant.
     pub(super) fn allows(&self, site: &Site) -> bool {
+        self.holds(site) && !self.keeps_free(site)
+    }
+
+    /// Something of the zone lies in what must be kept free.
+    fn keeps_free(&self, site: &Site) -> bool {
+        if self.cell.keep_out().next().is_none() {
+            return false;
+        }
+        let (bearing, work) = self.local(site);
+        let plane = WorkPlane::of(self.options.elevation, &work);
+        let cell_from_here = self.cell_from(bearing);
+        let half = self.half_extents(&plane, &cell_from_here);
+        self.cell.keep_out().any(|block| self.lies_in(&block, site, &half, &plane, &cell_from_here))
+    }
+
+    /// Every one of some sites that would be allowed lies in what must be kept free, and there are such.
+    pub(super) fn keeps_all_free(&self, sites: &[Site]) -> bool {
+        let mut held = sites.iter().filter(|site| self.holds(site)).peekable();
+        held.peek().is_some() && held.all(|site| self.keeps_free(site))
+    }
+
+    fn cell_from(&self, bearing: f64) -> Pose {
+        self.cell.mount.cell_from_base * Pose::rotation(Vector3::z() * bearing)
+    }
+
+    /// The same, whatever must be kept free.
+    fn holds(&self, site: &Site) -> bool {
         let (bearing, work) = self.local(site);
         if self.cell.is_ahead && TURN < bearing.abs() {
             return false;
@@ -134,10 +161,9 @@ impl<'a> Ground<'a> {
         if !may_point_so {
             return false;
         }
-        let cell_from_here = self.cell.mount.cell_from_base * Pose::rotation(Vector3::z() * bearing);
-        let half = self.half_extents(&plane, &cell_from_here);
+        let half = self.half_extents(&plane, &self.cell_from(bearing));
         let slack = tolerances::WINDOW;
-        let in_window = self.windows.iter().any(|window| match window {
+        self.windows.iter().any(|window| match window {
             Window::Block(block) => block.holds(&site.at, &half, slack),
             Window::Ring { ahead, z } => {
                 let [along, _, _] = plane.half_extents(self.zone);
@@ -145,8 +171,7 @@ impl<'a> Ground<'a> {
                     range.contains(middle - half, slack) && range.contains(middle + half, slack)
                 })
             }
-        });
-        in_window && !self.cell.keep_out().any(|block| self.lies_in(&block, site, &half, &plane, &cell_from_here))
+        })
     }
 
     fn lies_in(&self, block: &Block, site: &Site, half: &Vector3<f64>, plane: &WorkPlane, here: &Pose) -> bool {
