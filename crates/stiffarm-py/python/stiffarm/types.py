@@ -4173,7 +4173,8 @@ class UpdatedDrive(TypedDict):
     """Standard deviation of its logarithm."""
 
     posterior_urad_per_nm: float
-    """Median of the posterior."""
+    """Where the posterior of its logarithm is densest; the interval is that of the normal distribution about it
+    (Laplace)."""
 
     posterior_sd_ln: float
     """Standard deviation of its logarithm."""

@@ -9,7 +9,7 @@ mod place;
 mod rank;
 
 use super::uncertainty::of_what;
-use super::verdict::{HOLDS, Verdict, percent};
+use super::verdict::{HOLDS, SURE, Verdict, percent};
 use super::words::{fixed, status};
 use super::{Unit, stiffness, stiffnesses};
 use stiffarm::robot::{Robot, Status, StiffnessSource};
@@ -156,12 +156,15 @@ fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String 
         "measure the drives (`stiffarm measure`)"
     };
     let advice = match (verdict.passes, verdict.is_sure()) {
+        // What is missed then is not for want of the drives.
+        (true, false) if SURE <= probability => String::new(),
         (true, false) => format!(": {measure}, or keep more distance"),
         (false, _) if 0.05 <= probability => format!(": {measure} before it is given up"),
         (true, true) | (false, _) => String::new(),
     };
+    let it = if verdict.passes && verdict.is_of_drives_alone { "By the drives alone it" } else { "It" };
     format!(
-        "It is held with a probability of {}: the 90 % interval ({}) is {low} to {high} mm, the median {middle} mm{advice}.",
+        "{it} is held with a probability of {}: the 90 % interval ({}) is {low} to {high} mm, the median {middle} mm{advice}.",
         percent(probability),
         of_what(robot)
     )

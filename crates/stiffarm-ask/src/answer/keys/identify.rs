@@ -27,7 +27,7 @@ fields! {
     POSTERIOR_DRIVES: "posterior", Kind::Objects, "What the measurements make of the prior, drive by drive; null where that was not asked for.";
     PRIOR: "prior_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "Median of the prior.";
     PRIOR_SD: "prior_sd_ln", Kind::Number(Unit::One), "Standard deviation of its logarithm.";
-    POSTERIOR: "posterior_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "Median of the posterior.";
+    POSTERIOR: "posterior_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "Where the posterior of its logarithm is densest; the interval is that of the normal distribution about it (Laplace).";
     POSTERIOR_SD: "posterior_sd_ln", Kind::Number(Unit::One), "Standard deviation of its logarithm.";
     MOVED_BY_DATA: "moved_sd", Kind::Number(Unit::One), "How far the measurements moved it, in standard deviations of the prior.";
     LEARNED: "learned", Kind::Number(Unit::One), "What part of the variance of the prior the measurements took away.";
