@@ -17,11 +17,11 @@ const STEP: f64 = 26.0;
 /// From a view to its first line of lengths, px.
 const FIRST: f64 = 30.0;
 /// No view is higher, px.
-const HIGHEST: f64 = 230.0;
+const HIGHEST: f64 = 420.0;
 /// What is shown around the foot of the robot, m.
 const FOOT: f64 = 0.3;
 /// What is kept free is shown so far beside the work, m.
-const ASIDE: f64 = 1.0;
+const ASIDE: f64 = 2.5;
 /// Of the x axis of a path, px.
 const X_AXIS: f64 = 46.0;
 /// Shorter lengths stand in the table alone, px.
