@@ -198,6 +198,13 @@ fn a_hanging_robot_does_upside_down_what_a_standing_one_does() {
     assert!(arm[4].z < arm[3].z, "the tool points down");
 }
 
+#[test]
+fn a_box_without_an_end_keeps_nothing_free_that_is_meant() {
+    let of = |block: &str| request(&[("keep-out", block)]).place_options(Some(CIRCLE));
+    assert!(of("..,..,..").unwrap_err().to_string().contains("--keep-out keeps all the world free"));
+    assert!(of("..,..,..0.4").is_ok());
+}
+
 /// x and z of a place before a wall leave y open: it was searched as if nobody had asked for one place.
 #[test]
 fn one_place_before_a_wall_is_named_by_all_three_ranges() {

@@ -38,6 +38,9 @@ impl CellOptions {
             return Err(Unsupported::Floor);
         }
         let mount = self.mount.unwrap_or_else(|| Mount::pedestal(0.0));
+        if self.keep_out.iter().any(|block| [block.x, block.y, block.z].iter().all(|side| *side == Interval::ALL)) {
+            return Err(Unsupported::Everything);
+        }
         let is_ring = matches!(self.windows.as_slice(), [Window::Ring { .. }]);
         if self.is_at && is_ring && !mount.is_vertical() {
             return Err(Unsupported::Beside);

@@ -67,6 +67,9 @@ pub enum Unsupported {
         "gives x and z alone, and a base that neither stands upright nor hangs may have the work at any y; --within x0..x1,y0..y1,z0..z1 as wide as the task names one place"
     )]
     Beside,
+    /// A box without an end.
+    #[error("keeps all the world free; expected a box of which one end at least is given, such as 1.0..2.0,..,..")]
+    Everything,
     /// Only a flat zone has a middle that means something.
     #[error("is the middle of one flat zone; expected one task that is no part")]
     Middle,
@@ -89,6 +92,7 @@ impl Unsupported {
             Self::Middle | Self::Beside => opt::AT.name,
             Self::Yaw | Self::YawAtOnePlace => opt::YAW_DEG.name,
             Self::CellInPlane => opt::WITHIN.name,
+            Self::Everything => opt::KEEP_OUT.name,
             Self::Leaning => opt::TOOL_DIRECTION.name,
             Self::Floor => opt::FLOOR.name,
             Self::Scale => opt::SCALE.name,
