@@ -1,11 +1,11 @@
 //! A path of 10 000 samples, 180 rolls and 8 configurations, on one thread: every error, both sweeps, smoothing and the exact path; beside the
-//! inverse kinematics alone of the same poses by rs-opw-kinematics. And whether its cuts swing.
+//! inverse kinematics alone of the same poses by rs-opw-kinematics. And its forces, in a stock, too, and whether its cuts swing.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Duration;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use rs_opw_kinematics::glam::{DQuat, DVec3};
 use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
@@ -23,6 +23,7 @@ use stiffarm::mill::{
 use stiffarm::modes::HeldTool;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
+use stiffarm::stock::Stock;
 use stiffarm::toolpath::{Builtin, Move, Steps};
 use stiffarm::watch::Watch;
 
@@ -142,14 +143,40 @@ fn kept_clear(c: &mut Criterion) {
     group.finish();
 }
 
+/// A flat end mill, 3 mm deep, that cuts from 0.2 to 1.9 rad of its way around.
+fn end_mill() -> Process {
+    let edge = Edge::Linear { chip: [767e6, 169e6, 222e6], rubbing: [0.0; 3] };
+    let engagement = Engagement::at_depth(3e-3, [0.2, 1.9], 1e-4);
+    let milling = Milling { diameter: 0.016, teeth: 4, helix: 0.0, engagement, edge };
+    Process { spindle: Some(1256.0), is_clockwise: true, law: Law::Milling(milling) }
+}
+
+/// The forces of the same path from its cut, and from what of a block the mill meets, in cells of a thirty-second of its diameter.
+fn forces(c: &mut Criterion) {
+    let (moves, steps) = moves();
+    let forcing = Forcing::Process(end_mill());
+    let of = |stock: Option<&mut Stock>| forced(&moves, &steps, &forcing, stock, Watch::nobody()).expect("forces");
+    let count = of(None).stations.len();
+    let block = || Stock::block([-0.3, -0.3, -0.03], [0.3, 0.3, 0.003], 5e-4).expect("a block");
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let mut group = c.benchmark_group("forces");
+    group.sample_size(10).measurement_time(Duration::from_secs(10));
+    group.throughput(Throughput::Elements(count as u64));
+    group.bench_function(format!("of_the_process_{count}_samples"), |b| {
+        b.iter(|| black_box(one.install(|| of(None).stations.len())));
+    });
+    group.bench_function(format!("in_a_stock_{count}_samples"), |b| {
+        let cut = |mut stock: Stock| one.install(|| of(Some(&mut stock)).stations.len());
+        b.iter_batched(block, |stock| black_box(cut(stock)), BatchSize::LargeInput);
+    });
+    group.finish();
+}
+
 /// Whether the cuts of the same path swing, beside following it; and one cut, whole: 200 draws at 191 speeds.
 fn chatter_of_cuts(c: &mut Criterion) {
     let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
     let ((moves, steps), (_, stand)) = (moves(), path());
-    let edge = Edge::Linear { chip: [767e6, 169e6, 222e6], rubbing: [0.0; 3] };
-    let engagement = Engagement::at_depth(3e-3, [0.2, 1.9], 1e-4);
-    let milling = Milling { diameter: 0.016, teeth: 4, helix: 0.0, engagement, edge };
-    let process = Process { spindle: Some(1256.0), is_clockwise: true, law: Law::Milling(milling) };
+    let process = end_mill();
     let forcing = Forcing::Process(process.clone());
     let stations = forced(&moves, &steps, &forcing, None, Watch::nobody()).expect("forces").stations;
     let body = RigidBody::point(60.0, nalgebra::Vector3::new(0.0, 0.0, 0.2));
@@ -176,5 +203,5 @@ fn chatter_of_cuts(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, along_a_path, kept_clear, chatter_of_cuts);
+criterion_group!(benches, along_a_path, forces, kept_clear, chatter_of_cuts);
 criterion_main!(benches);
