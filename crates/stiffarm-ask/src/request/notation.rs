@@ -411,15 +411,13 @@ pub fn mount(text: &str) -> Result<Mount, String> {
     };
     let (what, turn) = text.split_once('@').map_or((text, Ok(0.0)), |(what, turn)| (what, degrees(turn)));
     let turn = turn.map_err(|_| expected())?.to_radians();
-    let height = |text: &str| number(text, -20.0, 50.0, "m").map_err(|_| expected());
+    let height = |text: &str, least: f64| number(text, least, 50.0, "m").map_err(|_| expected());
     let (name, value) = what.split_once(':').unwrap_or((what, ""));
     let mount = match name.trim() {
         "floor" if value.is_empty() => Mount::pedestal(0.0),
-        "pedestal" => {
-            Mount::pedestal(height(value).and_then(|height| if height < 0.0 { Err(expected()) } else { Ok(height) })?)
-        }
-        "wall" => Mount::wall(height(value)?),
-        "ceiling" => Mount::ceiling(height(value)?),
+        "pedestal" => Mount::pedestal(height(value, 0.0)?),
+        "wall" => Mount::wall(height(value, -20.0)?),
+        "ceiling" => Mount::ceiling(height(value, -20.0)?),
         "pose" => {
             let numbers = value.split(',').map(|part| number(part, -360.0, 360.0, "").map_err(|_| expected()));
             let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;

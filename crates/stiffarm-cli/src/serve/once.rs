@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
+use stiffarm::plain::on_one_line;
 
 /// A value that was read so.
 pub(super) struct Once(pub(super) Value);
@@ -63,7 +64,10 @@ impl<'de> Visitor<'de> for AnyValue {
         let mut object = Map::new();
         while let Some((key, Once(value))) = entries.next_entry::<String, Once>()? {
             if object.contains_key(&key) {
-                return Err(A::Error::custom(format!("the key {key:?} is there twice; expected it once")));
+                return Err(A::Error::custom(format!(
+                    "the key '{}' is there twice; expected it once",
+                    on_one_line(&key)
+                )));
             }
             object.insert(key, value);
         }

@@ -160,7 +160,7 @@ impl<'a> CellSearch<'a> {
         }
         let free = self.coarse(&sites)?;
         if free.is_empty() {
-            return Ok(Err(if self.ground.keeps_all_free(&sites) { Misfit::KeptFree } else { Misfit::Within }));
+            return Ok(Err(if self.ground.all_lie_in_kept_free(&sites) { Misfit::KeptFree } else { Misfit::Within }));
         }
         let best = match self.find((&free, step), effort, None)? {
             Ok(best) => best,

@@ -122,11 +122,11 @@ impl<'a> Ground<'a> {
 
     /// All of the zone lies in a window, nothing of it in what must be kept free, the tool may be turned so, and the bearing is one that is meant.
     pub(super) fn allows(&self, site: &Site) -> bool {
-        self.holds(site) && !self.keeps_free(site)
+        self.holds(site) && !self.lies_in_kept_free(site)
     }
 
     /// Something of the zone lies in what must be kept free.
-    fn keeps_free(&self, site: &Site) -> bool {
+    fn lies_in_kept_free(&self, site: &Site) -> bool {
         if self.cell.keep_out().next().is_none() {
             return false;
         }
@@ -138,9 +138,9 @@ impl<'a> Ground<'a> {
     }
 
     /// Every one of some sites that would be allowed lies in what must be kept free, and there are such.
-    pub(super) fn keeps_all_free(&self, sites: &[Site]) -> bool {
+    pub(super) fn all_lie_in_kept_free(&self, sites: &[Site]) -> bool {
         let mut held = sites.iter().filter(|site| self.holds(site)).peekable();
-        held.peek().is_some() && held.all(|site| self.keeps_free(site))
+        held.peek().is_some() && held.all(|site| self.lies_in_kept_free(site))
     }
 
     fn cell_from(&self, bearing: f64) -> Pose {
