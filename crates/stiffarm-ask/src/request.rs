@@ -42,7 +42,7 @@ pub use sent::sent;
 pub use setting::{Absent, Of, Setting};
 pub use settings::SETTINGS;
 pub use sides::SetupError;
-pub use verb::Verb;
+pub use verb::{Help, Verb};
 pub use words::Layer;
 
 use opt::Opt;
