@@ -1,12 +1,12 @@
 //! Why a question has no answer, and what to do about it.
 
+use std::fmt::Display;
 use std::path::PathBuf;
 
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::catalogue::stl::StlFault;
 use stiffarm::chatter::ChatterError;
-use stiffarm::cutting::CuttingError;
 use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
 use stiffarm::place::PlaceError;
@@ -75,6 +75,14 @@ pub enum AskError {
         /// Whether the user has said at which links the arm begins and ends.
         ends_are_given: bool,
     },
+    /// What a verb is asked has no answer: why, and what to do about it.
+    #[error("{why}")]
+    Unanswered {
+        /// Why.
+        why: String,
+        /// What the user can do.
+        hint: &'static str,
+    },
     /// Nobody waits any longer.
     #[error(transparent)]
     Stopped(#[from] Stopped),
@@ -84,20 +92,9 @@ pub enum AskError {
     /// A path that has no answer.
     #[error(transparent)]
     Mill(MillAnswerError),
-    /// A process file with faults.
-    #[error("{0}")]
-    ProcessFile(stiffarm::catalogue::Faults),
     /// An STL file that is not read.
     #[error(transparent)]
     Stl(#[from] StlFault),
-    /// A process of which no force is known.
-    #[error("{file}: {error}")]
-    Process {
-        /// Which.
-        file: String,
-        /// Why.
-        error: CuttingError,
-    },
     /// Wrong usage that clap cannot see.
     #[error("{0}")]
     Usage(String),
@@ -152,50 +149,9 @@ pub enum AskError {
         /// Why.
         error: ChatterError,
     },
-    /// Measurements that tell nothing.
-    #[error("{data}: {error}")]
-    Identify {
-        /// Which table.
-        data: String,
-        /// Why.
-        error: stiffarm::identify::IdentifyError,
-    },
     /// A robot file of which no drive was identified.
     #[error("no robot file: no drive of {0} is identified")]
     NotIdentified(String),
-    /// Nothing to be measured.
-    #[error("{robot}: {error}")]
-    Measure {
-        /// Which robot.
-        robot: String,
-        /// Why.
-        error: stiffarm::measure::MeasureError,
-    },
-    /// A table of measurements with faults.
-    #[error("{0}")]
-    Measurements(stiffarm::catalogue::Faults),
-    /// A table of readings with faults.
-    #[error("{0}")]
-    Readings(stiffarm::catalogue::Faults),
-    /// A table of what was measured at a tip with faults.
-    #[error("{0}")]
-    Response(stiffarm::catalogue::Faults),
-    /// Readings that tell nothing.
-    #[error("{data}: {error}")]
-    Verify {
-        /// Which table.
-        data: String,
-        /// Why.
-        error: stiffarm::verify::VerifyError,
-    },
-    /// Measured points that tell nothing.
-    #[error("{data}: {error}")]
-    Calibrate {
-        /// Which table.
-        data: String,
-        /// Why.
-        error: stiffarm::calibrate::CalibrateError,
-    },
     /// The answer is given: the file is not verified.
     #[error("{0} is not verified")]
     NotVerified(String),
@@ -252,6 +208,11 @@ impl From<FigureError> for AskError {
 }
 
 impl AskError {
+    /// Of a robot or a file that a verb makes nothing of.
+    pub(crate) fn unanswered(of: &str, error: impl Display, hint: &'static str) -> Self {
+        Self::Unanswered { why: format!("{of}: {error}"), hint }
+    }
+
     /// The question itself is wrong, whatever there is.
     pub fn is_usage(&self) -> bool {
         match self {
@@ -302,6 +263,7 @@ impl AskError {
             Self::Pattern { .. } => {
                 "* stands for any letters, ? for one, [abc] for one of these; a * or [ itself is written [*] and [[]"
             }
+            Self::Unanswered { hint, .. } => hint,
             Self::Stopped(_) => "nothing is left to do",
             Self::NotSent(_) => "\"files\" holds the texts that are named, each under its name; no file of the server is read",
             Self::OntoInput(_) => "choose another name: what is read is not written over",
@@ -312,16 +274,9 @@ impl AskError {
             Self::Path(_) => "`stiffarm mill --help` lists what can be said of a path whose file is silent; a CAM program can write what is refused as plain moves",
             Self::Mill(_) => "`stiffarm mill --help` tells what a path, a process and a stock may be",
             Self::Stl(_) => "export the finished part from CAD as STL, in the frame of the path, its unit given by part-unit",
-            Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
-            Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
-            Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",
-            Self::Readings(_) => "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns",
-            Self::Response(_) => "expected is displacement over force in m/N along the tool axes, as analysers export a receptance; or its modes",
-            Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
-            Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
             Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",
-            Self::Identify { .. } | Self::NotIdentified(_) => "`stiffarm measure ROBOT` tells which postures and loads to measure",
+            Self::NotIdentified(_) => "`stiffarm measure ROBOT` tells which postures and loads to measure",
             Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
             Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
             Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",

@@ -13,6 +13,9 @@ use crate::forms::{Answer, Forms, Makes, Picture, Piece, tables_and_notes};
 use crate::report::Report;
 use crate::request::Request;
 
+/// What to do where points tell nothing.
+const MEASURE_MORE: &str = "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at";
+
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<CalibrateOutput<'a>, AskError> {
     let robot = super::selection::robot(&asked.robot()?, context)?;
     let (readings, data) = readings_of(&robot.vendor, (asked, context))?;
@@ -21,7 +24,7 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<Calibra
     }
     let options = asked.calibration();
     let found = context.watched("calibrating", |watch| calibrate(&robot, &readings, &options, watch));
-    let found = found.map_err(|error| AskError::Calibrate { data: data.clone(), error })?;
+    let found = found.map_err(|error| AskError::unanswered(&data, error, MEASURE_MORE))?;
     for row in &found.wrong_rows {
         let which = if row.point == 0 { "all points".into() } else { format!("point {}", row.point) };
         let off = row.distance * 1e3;

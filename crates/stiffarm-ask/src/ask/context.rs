@@ -54,6 +54,19 @@ impl Context<'_> {
     }
 }
 
+/// What to do about a file with faults, of each kind.
+pub(super) const PROCESS_FILE: &str = "docs/examples/endmill.toml is a complete process file to compare with";
+const MEASUREMENTS: &str = "every fault is named with its row and column; `stiffarm identify --help` lists the columns";
+const READINGS: &str =
+    "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns";
+const RESPONSE: &str =
+    "expected is displacement over force in m/N along the tool axes, as analysers export a receptance; or its modes";
+
+/// A file with faults.
+pub(super) fn faulty(faults: &Faults, hint: &'static str) -> AskError {
+    AskError::Unanswered { why: faults.to_string(), hint }
+}
+
 /// What a process file says, and what the files say that it names beside itself.
 pub(super) fn process_of(name: &str, shown: &str, context: Context) -> Result<ProcessFile, AskError> {
     let mut onto_input = None;
@@ -67,7 +80,7 @@ pub(super) fn process_of(name: &str, shown: &str, context: Context) -> Result<Pr
         })
     };
     let read = read_process_beside(&context.sources.text(name)?, shown, &mut beside);
-    onto_input.map_or(read.map_err(AskError::ProcessFile), Err)
+    onto_input.map_or(read.map_err(|faults| faulty(&faults, PROCESS_FILE)), Err)
 }
 
 /// What is asked of a zone, under the force of its process where one is given.
@@ -84,7 +97,7 @@ pub(super) fn under_process<'a>(asked: &'a Request, context: Context) -> Result<
 pub(super) fn tip_of(asked: &Request, context: Context) -> Result<Option<TipFile>, AskError> {
     let Some((name, held_by)) = asked.frf() else { return Ok(None) };
     let (text, file) = (context.sources.text(&name)?, files::shown(Path::new(&name)));
-    let found = read_response(&text, &file, held_by).map_err(AskError::Response)?;
+    let found = read_response(&text, &file, held_by).map_err(|faults| faulty(&faults, RESPONSE))?;
     let remarks = found.remarks.iter().map(|remark| format!("{file}: {remark}")).collect();
     Ok(Some(TipFile { tip: MeasuredTip { held_by, response: found.response }, file, remarks }))
 }
@@ -96,7 +109,7 @@ pub(super) fn table_of(
     read: fn(&str, &str, &Points) -> Result<Measurements, Faults>,
 ) -> Result<(Measurements, String), AskError> {
     let (text, shown) = (context.sources.text(name)?, files::shown(Path::new(name)));
-    let found = read(&text, &shown, &asked.points()).map_err(AskError::Measurements)?;
+    let found = read(&text, &shown, &asked.points()).map_err(|faults| faulty(&faults, MEASUREMENTS))?;
     Ok((found, shown))
 }
 
@@ -104,7 +117,7 @@ pub(super) fn table_of(
 pub(super) fn readings_of(vendor: &str, (asked, context): (&Request, Context)) -> Result<(Readings, String), AskError> {
     let name = asked.data()?;
     let (text, shown) = (context.sources.text(&name)?, files::shown(Path::new(&name)));
-    let found = readings::read(&text, &shown, &asked.reading(vendor)).map_err(AskError::Readings)?;
+    let found = readings::read(&text, &shown, &asked.reading(vendor)).map_err(|faults| faulty(&faults, READINGS))?;
     for remark in &found.remarks {
         context.listener.remark(&format!("note: {shown}: {remark}"));
     }

@@ -8,7 +8,7 @@ use serde_json::Value;
 use stiffarm::catalogue::files;
 
 use super::context::Context;
-use super::context::process_of;
+use super::context::{PROCESS_FILE, process_of};
 use crate::error::AskError;
 use crate::figures::FigureSize;
 use crate::figures::hodograph::Hodograph;
@@ -18,7 +18,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ForceOutput, A
     let name = asked.process()?;
     let file = files::shown(Path::new(&name));
     let process = process_of(&name, &file, context)?;
-    let force = process.process.force().map_err(|error| AskError::Process { file: file.clone(), error })?;
+    let force = process.process.force().map_err(|error| AskError::unanswered(&file, error, PROCESS_FILE))?;
     Ok(ForceOutput(CuttingAnswer { file, process, force }, FigureSize::of(asked)?))
 }
 

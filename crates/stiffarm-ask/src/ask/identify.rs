@@ -13,12 +13,15 @@ use crate::figures::{FigureSize, identify as figure};
 use crate::forms::{Answer, Forms, Makes, Picture, Piece, tables_and_notes};
 use crate::report::Report;
 
+/// What to do where measurements tell nothing.
+const MEASURE: &str = "`stiffarm measure ROBOT` tells which postures and loads to measure";
+
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<IdentifyOutput<'a>, AskError> {
     let robot = super::selection::robot(&asked.robot()?, context)?;
     let (measured, data) = super::context::table_of(&asked.data()?, (asked, context), measurements::read)?;
     let options = asked.identification();
     let found = context.watched("identifying", |watch| identify(&robot, &measured, &options, watch));
-    let found = found.map_err(|error| AskError::Identify { data: data.clone(), error })?;
+    let found = found.map_err(|error| AskError::unanswered(&data, error, MEASURE))?;
     found.remarks.iter().for_each(|remark| context.listener.remark(&format!("warning: {remark}")));
     let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
     Ok(IdentifyOutput { answer, asked, inputs: Inputs::of(asked, context), figure_size: FigureSize::of(asked)? })

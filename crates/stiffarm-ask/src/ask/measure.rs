@@ -28,7 +28,8 @@ fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String
 }
 
 fn failed(robot: &Robot, error: MeasureError) -> AskError {
-    AskError::Measure { robot: robot.name.clone(), error }
+    const OPTIONS: &str = "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm";
+    AskError::unanswered(&robot.name, error, OPTIONS)
 }
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput, AskError> {

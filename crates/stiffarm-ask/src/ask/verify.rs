@@ -12,6 +12,9 @@ use crate::error::AskError;
 use crate::forms::{Answer, Forms, Makes, Piece, tables_and_notes};
 use crate::request::Request;
 
+/// What to do where readings tell nothing.
+const READ_MORE: &str = "read three to ten postures that move every joint; docs/verify.md tells how";
+
 /// Of a robot that was named.
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<VerifyAnswer, AskError> {
     let robot = super::selection::robot(&asked.robot()?, context)?;
@@ -22,7 +25,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<VerifyAnswer, 
         .collect();
     let options = asked.verification();
     let found = context.watched("comparing", |watch| verify(&robot, &readings, &options, &others, watch));
-    let found = found.map_err(|error| AskError::Verify { data: data.clone(), error })?;
+    let found = found.map_err(|error| AskError::unanswered(&data, error, READ_MORE))?;
     let answer = VerifyAnswer { found, data, date: asked.date().unwrap_or_else(today) };
     for remark in answer.robot_file().map_or_else(Vec::new, |(_, remarks)| remarks) {
         context.listener.remark(&format!("note: in the robot file: {remark}"));
@@ -35,7 +38,7 @@ pub(crate) fn of_any(asked: &Request, context: Context) -> Result<VerifyRankAnsw
     let (readings, data) = readings_of("", (asked, context))?;
     let options = asked.verification();
     let fits = context.watched("comparing", |watch| rank(&readings, &options, &catalogue::robots(), watch));
-    let fits = fits.map_err(|error| AskError::Verify { data: data.clone(), error })?;
+    let fits = fits.map_err(|error| AskError::unanswered(&data, error, READ_MORE))?;
     Ok(VerifyRankAnswer { fits, rows: readings.rows.len(), data })
 }
 

@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 use stiffarm::catalogue::files::{Unreadable, Why};
 use stiffarm::catalogue::{ProcessFile, files, find, read_process_beside};
 
-use crate::ask::context::Context;
+use crate::ask::context::{Context, PROCESS_FILE, faulty};
 use crate::error::AskError;
 use crate::report::Section;
 use crate::sources::Sources;
@@ -45,8 +45,8 @@ impl Inputs {
         };
         let file = files::shown(path);
         let read: Result<ProcessFile, _> = read_process_beside(&self.sources.text(name)?, &file, &mut beside);
-        let process = read.map_err(AskError::ProcessFile)?;
-        let force = process.process.force().map_err(|error| AskError::Process { file: file.clone(), error })?;
+        let process = read.map_err(|faults| faulty(&faults, PROCESS_FILE))?;
+        let force = process.process.force().map_err(|error| AskError::unanswered(&file, error, PROCESS_FILE))?;
         Ok(Some((CuttingAnswer { file, process, force }, further)))
     }
 
