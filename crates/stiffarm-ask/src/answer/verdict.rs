@@ -65,13 +65,14 @@ impl Verdict {
         }
     }
 
-    /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`.
+    /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`. Below 50 % it is more likely missed, and that is said.
     pub fn in_words(self) -> String {
         match self.probability {
-            Some(probability) if self.passes && self.is_of_drives_alone => {
-                format!("{} (P = {} of the drives alone)", self.word(), percent(probability))
+            Some(probability) => {
+                let of_drives = if self.passes && self.is_of_drives_alone { " of the drives alone" } else { "" };
+                let missed = if self.is_rather_missed() { ": more likely missed" } else { "" };
+                format!("{} (P = {}{of_drives}{missed})", self.word(), percent(probability))
             }
-            Some(probability) => format!("{} (P = {})", self.word(), percent(probability)),
             None if self.passes => format!("{} (P not known)", self.word()),
             None => self.word().into(),
         }
@@ -111,6 +112,7 @@ mod tests {
             (2.0, Some(0.95), "pass", "pass (P = 95 %)"),
             (2.0, Some(0.9499), "pass, not sure", "pass, not sure (P = 94 %)"),
             (2.0, Some(1.0), "pass", "pass (P = 100 %)"),
+            (2.0, Some(0.35), "pass, not sure", "pass, not sure (P = 35 %: more likely missed)"),
             (2.0, None, "pass, not sure", "pass, not sure (P not known)"),
             (2.000_001, Some(0.45), "fail", "fail (P = 45 %)"),
             (2.000_001, None, "fail", "fail"),
