@@ -3,7 +3,7 @@
 use stiffarm::catalogue::{ProcessFile, paper_robots, read_process};
 use stiffarm::program::Language;
 use stiffarm::robot::Robot;
-use stiffarm::toolpath::{Format, Move, ReadOptions, read};
+use stiffarm::toolpath::{Format, Move, Original, ReadOptions, Steps, read};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{Bodies, ByToolAnswer, MillAnswer, MillAnswerError};
 use stiffarm_ask::request::{Pair, Refusal, Request, Spelling, Verb};
@@ -99,6 +99,52 @@ fn each_tool_of_a_path_mills_under_its_own_process_with_its_own_length() {
         let text = answer.program(language).expect("a program");
         assert_eq!(text.lines().filter(|line| line.contains(stop)).count(), 2, "{text}");
     }
+}
+
+/// The path's own file holds of each tool what the file of its cuts alone holds, and nothing else is changed.
+#[test]
+fn the_file_of_a_path_is_written_back_with_the_cuts_of_all_tools_led_aside() {
+    let steps = Steps { longest: 0.05, ..Steps::USUAL };
+    let options = ReadOptions::default();
+    let compensated = [&BY_TOOL[..], &[("compensate", "true")]].concat();
+    let whole = format!("{HEAD}T1 M6\n{ONE}T2 M6\n{OTHER}T1 M6\n{OTHER}M2\n");
+    let written = |text: &str, write: &dyn Fn(Original, &mut Vec<u8>)| {
+        let (mut input, mut output) = (text.as_bytes(), Vec::new());
+        write(Original { input: &mut input, file: "two.nc", format: Format::GCode, options: &options }, &mut output);
+        String::from_utf8(output).expect("text")
+    };
+    let answer = by_tool(&whole, &compensated).expect("an answer");
+    let all = written(&whole, &|original, output| {
+        answer.rewritten(original, &steps, output).expect("written");
+    });
+    let alone = |cuts: &str, tool: &str| {
+        let text = format!("{HEAD}{tool} M6\n{cuts}M2\n");
+        let asked = request("two.nc", &[&compensated[..], &[("only-tool", &tool[1..])]].concat()).expect("a question");
+        let (name, force) = if tool == "T1" { ("one.toml", 300.0) } else { ("two.toml", 40.0) };
+        let process = Some(constant(name, force));
+        let moves = moves_of(&text, Format::GCode);
+        let answer = MillAnswer::of(&asked, &robot(), ("two.nc".into(), moves), process, Watch::nobody());
+        let answer = answer.expect("an answer");
+        let text = written(&text, &|original, output| {
+            answer.rewritten(original, &steps, output).expect("written");
+        });
+        let (_, behind) = text.split_once("M6\n").expect("a tool change");
+        format!("{tool} M6\n{}", behind.strip_suffix("M2\n").expect("the end"))
+    };
+    let sections = [alone(ONE, "T1"), alone(OTHER, "T2"), alone(OTHER, "T1")].concat();
+    assert!(all.ends_with(&format!("{sections}M2\n")), "{all}\n{sections}");
+    assert!(sections.lines().count() > 3 * 5 && !all.contains(ONE), "{all}");
+    // A path that was not milled by these tools has no such file.
+    let other = whole.replace("X100", "X90");
+    let (mut input, mut output) = (other.as_bytes(), Vec::new());
+    let original = Original { input: &mut input, file: "two.nc", format: Format::GCode, options: &options };
+    let refused = answer.rewritten(original, &steps, &mut output).expect_err("another path").to_string();
+    assert!(refused.contains("line 5: what was milled is not found in the file"), "{refused}");
+    let plain = by_tool(&whole, &BY_TOOL).expect("an answer");
+    let mut input = whole.as_bytes();
+    let original = Original { input: &mut input, file: "two.nc", format: Format::GCode, options: &options };
+    let refused = plain.rewritten(original, &steps, &mut Vec::new()).expect_err("not compensated").to_string();
+    assert!(refused.contains("without --compensate"), "{refused}");
 }
 
 /// What of several tools is missing or does not go together is refused by its name.

@@ -172,7 +172,7 @@ fn what_cannot_be_made_of_a_path_is_refused_before_it_is_followed() {
         (&["-o", "part.lobes.svg"][..], "lobes are computed with --chatter"),
         (&["-o", "again.nc"], "written back with --compensate"),
         (&["-o", "again.apt", "--compensate"], "is not written as .apt"),
-        (&["-o", "again.nc", "--compensate", "--only-tool", "1"], "is not written back"),
+        (&["-o", "again.nc", "--compensate", "--only-tool", "1"], "is written back where each has its process"),
         (&["-o", "again.nc", "--compensate"], "nobody"),
     ] {
         let said = refused(asked);

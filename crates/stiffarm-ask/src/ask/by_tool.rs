@@ -12,15 +12,18 @@ use stiffarm::watch::Watch;
 
 use super::context::Context;
 use super::context::process_of;
+use super::outputs::mill::rewritten;
 use super::path::{all_moves, read_bodies};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Makes, Piece};
 
-pub(crate) struct ByToolOutput {
-    pub(crate) answer: ByToolAnswer,
+pub(crate) struct ByToolOutput<'a> {
+    answer: ByToolAnswer,
+    asked: &'a Request,
+    context: Context<'a>,
 }
 
-pub(crate) fn answer(asked: &Request, context: Context) -> Result<ByToolOutput, AskError> {
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<ByToolOutput<'a>, AskError> {
     let path = asked.path()?;
     let robot = super::selection::robot(&asked.robot()?, context)?;
     let (processes, bodies) = (processes(asked, context)?, read_bodies(asked, context)?);
@@ -28,7 +31,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ByToolOutput, 
     let milled = |watch: Watch| ByToolAnswer::of(asked, &robot, (&path, &moves), (&processes, &bodies), watch);
     let mut answer = context.watched("milling with every tool", milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
-    Ok(ByToolOutput { answer })
+    Ok(ByToolOutput { answer, asked, context })
 }
 
 /// The process of each tool, with the name of its file.
@@ -42,20 +45,27 @@ fn processes(asked: &Request, context: Context) -> Result<Vec<(u32, String, Proc
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { command: "mill", makes: &[Makes::Programs(&["src", "mod", "ls", "py"])] };
+pub(crate) const FORMS: Forms = Forms {
+    command: "mill",
+    makes: &[Makes::Programs(&["src", "mod", "ls", "py", "nc", "gcode", "ngc", "tap", "apt", "cls"])],
+};
 
-impl Answer for ByToolOutput {
+impl Answer for ByToolOutput<'_> {
     fn forms(&self) -> Forms {
         FORMS
     }
 
     fn program(&self, ending: &str) -> Option<Result<Vec<u8>, AskError>> {
-        let language = Language::of_program(ending)?;
-        Some(self.answer.program(language).map(String::into_bytes).map_err(Into::into))
+        Some(match Language::of_program(ending) {
+            Some(language) => self.answer.program(language).map(String::into_bytes).map_err(Into::into),
+            None => rewritten((self.asked, self.context), ending, |original, steps, output| {
+                self.answer.rewritten(original, steps, output)
+            }),
+        })
     }
 
     fn text(&self) -> Vec<Piece> {
-        let Self { answer } = self;
+        let Self { answer, .. } = self;
         let of_tools = answer.sections.iter().flat_map(|section| {
             let heading = Piece::Lines(format!("T{}\n", section.tool));
             let table = Table { lead: None, ..section.milled.table() };

@@ -9,7 +9,7 @@ use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
 
 use super::context::Context;
-use super::outputs::mill::{MillOutput, check_rewriting, rolls};
+use super::outputs::mill::{MillOutput, check_rewriting, rewritten, rolls};
 use super::path::{all_moves, read_beside};
 use super::reports;
 use crate::error::AskError;
@@ -69,7 +69,9 @@ impl Answer for MillOutput<'_> {
                 }
                 self.answer.program(language).map(String::into_bytes).map_err(Into::into)
             }
-            None => self.rewritten(ending),
+            None => rewritten((self.asked, self.context), ending, |original, steps, output| {
+                self.answer.rewritten(original, steps, output)
+            }),
         })
     }
 

@@ -1,5 +1,7 @@
 //! A path that is milled with several tools: each section between two changes with its own process and length, and one program of all.
 
+use std::io::Write;
+
 use serde_json::{Value, json};
 
 use super::super::uncertainty::Known;
@@ -8,7 +10,7 @@ use super::super::{
     Cell, Column, ColumnKind, Datum, Lead, Record, Rows, Table, field, fixed, shape, stiffness, with_schema,
 };
 use super::asked::Tooled;
-use super::programs::program_of;
+use super::programs::{program_of, rewritten_of};
 use super::table::NOT_FOLLOWED;
 use super::{Beside, Bodies, MillAnswer, MillAnswerError};
 use crate::request::{Request, opt, tool_name};
@@ -16,7 +18,7 @@ use stiffarm::catalogue::ProcessFile;
 use stiffarm::mill::WorkFrame;
 use stiffarm::program::Language;
 use stiffarm::robot::Robot;
-use stiffarm::toolpath::{Move, MoveKind};
+use stiffarm::toolpath::{Move, MoveKind, Original, Rewritten, Steps};
 use stiffarm::watch::Watch;
 
 /// The answer of `mill` of a path with several tools.
@@ -222,9 +224,25 @@ impl ByToolAnswer {
     /// # Errors
     /// As [`MillAnswer::program`].
     pub fn program(&self, language: Language) -> Result<String, MillAnswerError> {
-        let sections: Vec<(Option<u32>, &MillAnswer)> =
-            self.sections.iter().map(|section| (Some(section.tool), &section.milled)).collect();
-        program_of(&sections, language)
+        program_of(&self.numbered(), language)
+    }
+
+    /// Writes the path's own file with the tips of every tool led aside; what was not touched stays as it is.
+    ///
+    /// # Errors
+    /// As [`MillAnswer::rewritten`].
+    pub fn rewritten(
+        &self,
+        original: Original,
+        steps: &Steps,
+        output: &mut dyn Write,
+    ) -> Result<Rewritten, MillAnswerError> {
+        rewritten_of(&self.numbered(), original, steps, output)
+    }
+
+    /// What each tool mills, with its number.
+    fn numbered(&self) -> Vec<(Option<u32>, &MillAnswer)> {
+        self.sections.iter().map(|section| (Some(section.tool), &section.milled)).collect()
     }
 }
 

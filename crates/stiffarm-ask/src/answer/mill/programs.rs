@@ -129,29 +129,64 @@ impl MillAnswer {
         steps: &Steps,
         output: &mut dyn Write,
     ) -> Result<Rewritten, MillAnswerError> {
+        rewritten_of(&[(None, self)], original, steps, output)
+    }
+
+    /// That the tips of its file may be led aside.
+    fn check_rewriting(&self) -> Result<(), MillAnswerError> {
         if self.compensation.is_none() {
             let stays = || "without --compensate the path stays as it is".into();
             return Err(MillAnswerError::NoProgram(self.reason().unwrap_or_else(stays)));
         }
         self.check_commanded()?;
-        let arm = TrueArm::of(&self.robot);
-        let controller = self.controller(arm.as_ref())?;
-        self.check_contact()?;
-        let mut remarks: Vec<String> = controller.of_calibration().iter().map(|remark| (*remark).to_owned()).collect();
-        remarks.push(format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)));
-        remarks.push(controller.corrections().to_owned());
-        remarks.extend(self.arm_remarks());
-        remarks.extend(self.contact_remark());
-        let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
-        let mut next = 0;
-        let mut corrected = |sample: &Sample| {
-            let is_known = next < self.stations.len();
-            let tip = if is_known { self.sent(next) } else { None }.map_or(sample.pose.tip, |(_, pose)| pose.tip);
-            next += 1;
-            // A file of three axes holds tips; what that leaves is reported.
-            ToolPose { tip, axis: sample.pose.axis }
+        self.check_contact()
+    }
+}
+
+/// The file of a path that several tools mill, one after the other, each with its number where there are several, with its tips led aside.
+///
+/// # Errors
+/// As [`MillAnswer::rewritten`].
+pub(super) fn rewritten_of(
+    sections: &[(Option<u32>, &MillAnswer)],
+    original: Original,
+    steps: &Steps,
+    output: &mut dyn Write,
+) -> Result<Rewritten, MillAnswerError> {
+    let Some((_, first)) = sections.first() else {
+        return Err(MillAnswerError::NoProgram("nothing is milled".into()));
+    };
+    sections.iter().try_for_each(|(_, section)| section.check_rewriting())?;
+    let arm = TrueArm::of(&first.robot);
+    let controller = first.controller(arm.as_ref())?;
+    let mut remarks: Vec<String> = controller.of_calibration().iter().map(|remark| (*remark).to_owned()).collect();
+    remarks.push(format!("compensated by stiffarm for {}, {}", first.robot.name, stiffness(&first.robot)));
+    remarks.push(controller.corrections().to_owned());
+    remarks.extend(first.arm_remarks());
+    for (number, section) in sections {
+        let named = |remark: String| number.map_or_else(|| remark.clone(), |number| format!("T{number}: {remark}"));
+        remarks.extend(section.contact_remark().map(named));
+    }
+    let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
+    let mut milled =
+        sections.iter().flat_map(|(_, section)| (0..section.stations.len()).map(move |i| (*section, i))).peekable();
+    let mut corrected = |sample: &Sample| {
+        // Where a tool that was just put in comes from is in the file, and milled by none.
+        let is_this = |(section, i): &(&MillAnswer, usize)| {
+            let known = &section.stations[*i].sample;
+            (known.line, known.is_cutting, known.pose) == (sample.line, sample.is_cutting, sample.pose)
         };
-        Ok(rewrite(original, output, &how, &mut corrected, &mut |_| Ok(()))?)
+        let sent = milled.next_if(is_this).and_then(|(section, i)| section.sent(i));
+        // A file of three axes holds tips; what that leaves is reported.
+        ToolPose { tip: sent.map_or(sample.pose.tip, |(_, pose)| pose.tip), axis: sample.pose.axis }
+    };
+    let rewritten = rewrite(original, output, &how, &mut corrected, &mut |_| Ok(()))?;
+    match milled.next() {
+        None => Ok(rewritten),
+        Some((section, i)) => Err(MillAnswerError::NoProgram(format!(
+            "line {}: what was milled is not found in the file",
+            section.stations[i].sample.line
+        ))),
     }
 }
 

@@ -1,14 +1,15 @@
 //! The error along a toolpath, and what is made of it: every roll beside the path, a view in space, the path's own file with its tips led aside.
 
+use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
 
 use stiffarm::catalogue::files;
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
-use stiffarm::toolpath::{Builtin, Format, Original};
+use stiffarm::toolpath::{Builtin, Format, Original, Rewritten, Steps};
 
-use crate::answer::{MillAnswer, Unit};
+use crate::answer::{MillAnswer, MillAnswerError, Unit};
 use crate::ask::context::Context;
 use crate::ask::drawing;
 use crate::ask::reports::Inputs;
@@ -35,22 +36,25 @@ impl MillOutput<'_> {
     pub(crate) fn inputs(&self) -> Inputs {
         Inputs::of(self.asked, self.context)
     }
+}
 
-    /// The path's own file with its tips led aside.
-    pub(crate) fn rewritten(&self, ending: &str) -> Result<Vec<u8>, AskError> {
-        check_rewriting(self.asked, ending)?;
-        let (name, options) = (&self.answer.path, self.asked.read_options());
-        let (format, mut input) = (self.asked.path_format(name)?, self.context.sources.open(name)?);
-        let original = Original { input: &mut input, file: &files::shown(Path::new(name)), format, options: &options };
-        let mut output = Vec::new();
-        let found = self.answer.rewritten(original, &self.asked.steps(), &mut output)?;
-        if 0 < found.of_cycles {
-            self.context
-                .listener
-                .warn(&format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles));
-        }
-        Ok(output)
+/// The path's own file with its tips led aside, by what was milled of it.
+pub(crate) fn rewritten(
+    (asked, context): (&Request, Context),
+    ending: &str,
+    write: impl FnOnce(Original, &Steps, &mut dyn Write) -> Result<Rewritten, MillAnswerError>,
+) -> Result<Vec<u8>, AskError> {
+    check_rewriting(asked, ending)?;
+    let (name, options) = (asked.path()?, asked.read_options());
+    let (format, mut input) = (asked.path_format(&name)?, context.sources.open(&name)?);
+    let original = Original { input: &mut input, file: &files::shown(Path::new(&name)), format, options: &options };
+    let mut output = Vec::new();
+    let found = write(original, &asked.steps(), &mut output)?;
+    if 0 < found.of_cycles {
+        let text = format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles);
+        context.listener.warn(&text);
     }
+    Ok(output)
 }
 
 /// That the path is a file of this ending, which changes as a whole.
@@ -63,7 +67,9 @@ pub(crate) fn check_rewriting(asked: &Request, ending: &str) -> Result<(), AskEr
         ));
     }
     if let Some(tool) = asked.only_tool() {
-        return usage(format!("only tool {tool} of {name} is milled: the file with all its tools is not written back"));
+        return usage(format!(
+            "only tool {tool} of {name} is milled: the file with all its tools is written back where each has its process (process T1=FILE,T2=FILE)"
+        ));
     }
     let read = asked.path_format(&name)?;
     if Format::of_name(&format!("a.{ending}")) != Some(read) {
