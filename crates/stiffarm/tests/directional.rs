@@ -42,8 +42,8 @@ fn it_is_what_a_sum_over_many_angles_gives_under_either_law() {
                 (-t * c - r * s) * c,
                 (t * s - r * c) * s,
                 (t * s - r * c) * c,
-                a * s,
-                a * c,
+                -a * s,
+                -a * c,
             ]);
         }
         // A chip of no thickness at the exit: midpoints miss h^(1 - m) by a 1e-4th.

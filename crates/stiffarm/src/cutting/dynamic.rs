@@ -1,7 +1,7 @@
 //! By how much does the force of a tooth change where the tool is off from where the tooth before it cut?
 //!
 //! A displacement `u` of the tool between one tooth and the next makes the chip thicker by `[sin, cos, 0] u`, and the tooth at `phi`, counted
-//! as in [`Milling`], then pushes with `a v [sin, cos, 0] u` more, `v = (-K_t cos - K_r sin, K_t sin - K_r cos, K_a)`. \[Altintas\]
+//! as in [`Milling`], then pushes with `a v [sin, cos, 0] u` more, `v = (-K_t cos - K_r sin, K_t sin - K_r cos, -K_a)`. \[Altintas\]
 
 use std::f64::consts::TAU;
 
@@ -23,13 +23,13 @@ impl Milling {
                 let [ss, cc] = [(to - from) / 2.0 - wave, (to - from) / 2.0 + wave];
                 let sc = between(|x| x.sin().powi(2) / 2.0);
                 let [s, c] = [-between(f64::cos), between(f64::sin)];
-                Matrix3x2::new(-t * sc - r * ss, -t * cc - r * sc, t * ss - r * sc, t * sc - r * cc, a * s, a * c)
+                Matrix3x2::new(-t * sc - r * ss, -t * cc - r * sc, t * ss - r * sc, t * sc - r * cc, -a * s, -a * c)
             }
             Edge::Power { .. } => {
                 let at = |phi: f64| {
                     let (s, c) = phi.sin_cos();
                     let [t, r, a] = self.edge.per_chip(self.engagement.feed_per_tooth * s);
-                    let v = [-t * c - r * s, t * s - r * c, a];
+                    let v = [-t * c - r * s, t * s - r * c, -a];
                     [v[0] * s, v[0] * c, v[1] * s, v[1] * c, v[2] * s, v[2] * c]
                 };
                 Matrix3x2::from_row_slice(&integral(at, from, to, 16))

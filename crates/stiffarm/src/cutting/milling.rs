@@ -5,8 +5,12 @@
 //! the tooth's motion and `F_r` into the tool,
 //!
 //! ```text
-//! F_x = -F_t cos(phi) - F_r sin(phi)      F_y = F_t sin(phi) - F_r cos(phi)      F_z = F_a
+//! F_x = -F_t cos(phi) - F_r sin(phi)      F_y = F_t sin(phi) - F_r cos(phi)      F_z = -F_a
 //! ```
+//!
+//! `F_z` is away from the work. A helix that winds in the sense of the rotation, as that of an ordinary end mill, lifts the chip and draws the
+//! tool into the work: `F_a` is towards it, as coefficients of such tools are published (`F_z = F_r cos(kappa) - F_a sin(kappa)` of a tooth at
+//! `kappa` to the axis, here 90 deg: Engin and Altintas, International Journal of Machine Tools and Manufacture 41, 2001).
 //!
 //! Of the mean over a revolution the helix makes no difference: each disc of the tool has the same one, later. \[Altintas\]
 
@@ -160,7 +164,7 @@ impl Milling {
     fn tooth(&self, phi: f64) -> Felt {
         let (s, c) = phi.sin_cos();
         let [t, r, a] = self.edge.per_depth(self.engagement.feed_per_tooth * s);
-        [-t * c - r * s, t * s - r * c, a, t * self.diameter / 2.0]
+        [-t * c - r * s, t * s - r * c, -a, t * self.diameter / 2.0]
     }
 
     /// Mean over a revolution, `N a / (2 pi)` times the integral over the angles of the cut.
@@ -170,7 +174,7 @@ impl Milling {
     /// ```text
     /// x: -K_tc c [sin^2/2] - K_te [sin] - K_rc c [phi/2 - sin(2 phi)/4] + K_re [cos]
     /// y:  K_tc c [phi/2 - sin(2 phi)/4] - K_te [cos] - K_rc c [sin^2/2] - K_re [sin]
-    /// z: -K_ac c [cos] + K_ae [phi]          moment: D/2 (-K_tc c [cos] + K_te [phi])
+    /// z:  K_ac c [cos] - K_ae [phi]          moment: D/2 (-K_tc c [cos] + K_te [phi])
     /// ```
     fn mean(&self) -> Felt {
         self.sum_over_arcs(|arc| self.mean_of(arc))
@@ -192,7 +196,7 @@ impl Milling {
                 [
                     -tc * c * half_square - te * sine - rc * c * area + re * cosine,
                     tc * c * area - te * cosine - rc * c * half_square - re * sine,
-                    -ac * c * cosine + ae * angle,
+                    ac * c * cosine - ae * angle,
                     self.diameter / 2.0 * (-tc * c * cosine + te * angle),
                 ]
             }
@@ -384,13 +388,31 @@ mod tests {
         }
     }
 
+    /// A rake face without friction pushes across its edge. That of a helix winds back as it rises: what lies above stands where the bottom stood by
+    /// the lag before, so that the edge runs along `(-tan b cos, tan b sin, 1)`, and the tool is drawn into the work by `tan b` of the tangential force.
+    #[test]
+    fn a_helix_draws_the_tool_into_the_work() {
+        let helix = 0.6_f64;
+        let edge = Edge::Linear { chip: [1e9, 0.0, 1e9 * helix.tan()], rubbing: [0.0; 3] };
+        let one = mill(Side::Slot, 0.016, helix, edge);
+        let lag = one.lag(&one.engagement.arcs[0]) / one.engagement.depth();
+        for phi in [0.3_f64, 1.2, 2.9] {
+            let place = |angle: f64| [one.diameter / 2.0 * angle.sin(), one.diameter / 2.0 * angle.cos()];
+            let (below, above) = (place(phi), place(phi - lag * 1e-6));
+            let along = [(above[0] - below[0]) / 1e-6, (above[1] - below[1]) / 1e-6, 1.0];
+            let [x, y, z, _] = one.tooth(phi);
+            let across = x * along[0] + y * along[1] + z;
+            assert!(z < 0.0 && across.abs() < 1e-3 * x.hypot(y), "{phi}: {across} of {x} {y} {z}");
+        }
+    }
+
     /// One straight tooth in a slot: across, the force is largest where the chip is thickest; along the feed at the ends, by rubbing.
     #[test]
     fn extremes_of_one_straight_tooth_are_as_by_hand() {
         let one = Milling { teeth: 1, ..mill(Side::Slot, 0.016, 0.0, LINEAR) };
         let found = one.force(1.0).unwrap();
         let [low, high] = found.range.unwrap();
-        close(&[high[2], low[2]], &[2.0 * (222.0 * 0.1 + 0.7), 0.0], 1e-9);
+        close(&[low[2], high[2]], &[-2.0 * (222.0 * 0.1 + 0.7), 0.0], 1e-9);
         // At the exit phi = pi: F_x = a K_te; F_y there is a K_re.
         let grid: Vec<Felt> = (0..=100_000).map(|i| one.at(PI * f64::from(i) / 1e5)).collect();
         for i in 0..3 {
@@ -415,10 +437,10 @@ mod tests {
                 let found = one.force(1.0).unwrap();
                 let expected = 40.0 * (teeth / apart) as f64;
                 let [low, high] = found.range.unwrap();
-                for value in [low[2], high[2], found.largest, found.mean.unwrap()[2]] {
+                for value in [-low[2], -high[2], found.largest, -found.mean.unwrap()[2]] {
                     assert!((value - expected).abs() < 1e-9, "{side:?}, {teeth} teeth: {value} is not {expected}");
                 }
-                assert!(found.revolution.iter().all(|force| (force[2] - expected).abs() < 1e-9), "{teeth} teeth");
+                assert!(found.revolution.iter().all(|force| (force[2] + expected).abs() < 1e-9), "{teeth} teeth");
             }
         }
     }

@@ -15,7 +15,7 @@ fields! {
     MOMENT: "moment_nm", Kind::Number(Unit::NewtonMetre), "Mean moment on the tool about its axis, positive about the axis away from the work.";
     POWER: "power_w", Kind::Number(Unit::Watt), "Mean power of the spindle; null where its speed or the moment is not known.";
     SPINDLE_SPEED: "spindle_rpm", Kind::Number(Unit::Given("rpm")), "Speed of the spindle.";
-    ENTRY_ANGLE: "entry_deg", Kind::Number(Unit::Degree), "Where a tooth enters, from the left of the feed in the sense of the rotation.";
+    ENTRY_ANGLE: "entry_deg", Kind::Number(Unit::Degree), "Where a tooth enters, in the sense of the rotation from the left of the feed, of a spindle that turns counter-clockwise from its right.";
     EXIT_ANGLE: "exit_deg", Kind::Number(Unit::Degree), "Where a tooth leaves.";
     CUTTING_FORCE: "force", Kind::Text, "Where the force on the tool comes from.";
 }
