@@ -48,7 +48,7 @@ NOISE = 0.02
 TRACKER = [3.1, -1.9, 1.4, 0.02, -0.01, 2.2]
 
 #: Hz, share of critical damping, N/m and direction in the tool frame: in the range of small electric spindles.
-MODES = [(612, 0.03, 2.2e7, (1, 0, 0)), (655, 0.025, 2.6e7, (0.1, 1, 0)), (1480, 0.02, 5.5e7, (0.5, 0.5, 0.1))]
+MODES = [(612, 0.03, 2.2e7, (1, 0, 0)), (655, 0.025, 2.6e7, (0.1, 1, 0)), (1480, 0.02, 5.5e7, (0.7, 0.7, 0.14))]
 #: Lines of the analyser, Hz.
 LINES = range(4, 2401, 4)
 

@@ -78,7 +78,8 @@ impl ChatterAnswer {
     /// The part of the verdict that is known.
     pub(super) fn of_robot(&self) -> String {
         let measured = self.chatter.measured.as_ref();
-        let upto = measured.map_or_else(String::new, |measured| format!(" up to {} Hz", fixed(measured.highest(), 0)));
+        let to = measured.and_then(|measured| measured.between);
+        let upto = to.map_or_else(String::new, |[_, to]| format!(" up to {} Hz", fixed(to, 0)));
         let whose = format!("{}{upto}", tip::whose(measured));
         match self.chatter.verdict() {
             Verdict::Calm => format!("{whose} calm"),
@@ -234,7 +235,7 @@ impl ChatterAnswer {
             line("cut", engagement),
             line(format!("swings at {} rpm from", fixed(self.rpm(), 0)), with(chatter.at_speed, chatter.spread)),
             line("reserve", self.reserves()),
-            line("at no speed below", with(chatter.any_speed, chatter.any_speed_spread)),
+            line(self.at_no_speed(), with(chatter.any_speed, chatter.any_speed_spread)),
             line("without the delay (Pan)", depth_of(chatter.without_delay)),
         ];
         if let Some(phase) = chatter.tooth_phase() {
@@ -249,6 +250,14 @@ impl ChatterAnswer {
         lines.extend(measured.map(|(looked, tip)| line("measured", tip::described(looked, &tip.file))));
         lines.push(line("teeth", self.counted()));
         lines
+    }
+
+    /// What the depth below which no speed swings rests on.
+    fn at_no_speed(&self) -> &'static str {
+        match self.chatter.method {
+            Method::Mean => "at no speed below",
+            Method::Teeth => "at no speed below, by the mean",
+        }
     }
 
     /// A depth in parts of that of the cut.

@@ -34,6 +34,13 @@ impl DepthSpread {
         let finite = |depth: f64| depth.is_finite().then_some(depth);
         Self { p05: finite(spread.p05), p95: finite(spread.p95) }
     }
+
+    /// Neither end deeper than that of another.
+    #[must_use]
+    pub(super) fn at_most(self, other: &Self) -> Self {
+        let least = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::min);
+        Self { p05: least(self.p05, other.p05), p95: least(self.p95, other.p95) }
+    }
 }
 
 /// The arm as it may be, with what was measured of its tip, in the axes of the cut, draw by draw.

@@ -106,7 +106,7 @@ pub struct Chatter {
     pub at_speed: Option<Edge>,
     /// Over draws of drives and damping.
     pub spread: DepthSpread,
-    /// At no speed less deep a cut swings, by the mean over a revolution.
+    /// At no speed less deep a cut swings, by the mean over a revolution; never deeper than what swings at the speed of the cut, tooth by tooth.
     pub any_speed: Option<Edge>,
     /// Over draws.
     pub any_speed_spread: DepthSpread,
@@ -195,11 +195,15 @@ pub fn chatter(
         None => (at(&curve), DepthSpread::of(drawn.iter().map(at))),
     };
     let other_way = advice::other_way(&tip, &cut, steps, from);
+    let shallower = |edge: Option<Edge>, other: Option<Edge>| {
+        edge.into_iter().chain(other).min_by(|a, b| a.depth.total_cmp(&b.depth))
+    };
+    let any_speed_spread = DepthSpread::of(drawn.iter().map(Curve::any_speed)).at_most(&spread);
     Ok(Chatter {
         at_speed,
         spread,
-        any_speed,
-        any_speed_spread: DepthSpread::of(drawn.iter().map(Curve::any_speed)),
+        any_speed: shallower(any_speed, at_speed),
+        any_speed_spread,
         other_way,
         without_delay: curve.without_delay(),
         drives_are_drawn: swing.is_some() && crate::prior::factors(robot, 1).is_some(),

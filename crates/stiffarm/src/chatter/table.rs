@@ -14,6 +14,10 @@ const MOST_MODES: usize = 50;
 const NOISY: f64 = 0.1;
 /// A shorter vector is no direction.
 const SHORTEST: f64 = 1e-6;
+/// A direction whose length is further from one may be a shape with a scale of its own.
+const OFF_ONE: f64 = 0.1;
+/// The answer at one place to a force at another is that the other way round: a larger difference, in parts of the largest answer, is no noise.
+const NOT_RECIPROCAL: f64 = 0.2;
 const MODES: [&str; 6] = ["freq_hz", "damping_ratio", "stiffness_n_per_m", "ux", "uy", "uz"];
 const AXES: [char; 3] = ['x', 'y', 'z'];
 const EXPECTED: &str = "freq_hz and gxx_re, gxx_im, gyy_re, gyy_im .. gzz_im (m/N, tool axes), or a table of modes: freq_hz, damping_ratio, \
@@ -124,7 +128,7 @@ impl<'a> Reader<'a> {
             return Err(self.columns());
         };
         let [_, softest] = self.held_by.bounds();
-        let mut modes = Vec::new();
+        let (mut modes, mut scaled) = (Vec::new(), None::<(usize, f64)>);
         let count = self.rows(MOST_MODES, |line, number| {
             let along = |column| number(column, [-1e6, 1e6], "a number from -1e6 to 1e6");
             let mode = MeasuredMode {
@@ -137,10 +141,14 @@ impl<'a> Reader<'a> {
                 stiffness: number(stiffness, [softest, 1e12], &format!("a stiffness from {softest} to 1e12 N/m"))?,
                 direction: [along(x)?, along(y)?, along(z)?],
             };
-            if !(SHORTEST <= Vector3::from(mode.direction).norm()) {
+            let length = Vector3::from(mode.direction).norm();
+            if !(SHORTEST <= length) {
                 let [x, y, z] = mode.direction;
                 let message = format!("{x:?}, {y:?}, {z:?}; expected the direction in which the tip moves, of length one or so");
                 return Err(fault(line, "ux", message));
+            }
+            if OFF_ONE < (length - 1.0).abs() {
+                scaled = scaled.or(Some((line, length)));
             }
             modes.push(mode);
             Ok(())
@@ -148,7 +156,12 @@ impl<'a> Reader<'a> {
         if count == 0 {
             return Err(fault(1, "", "no rows; expected a mode a row".into()));
         }
-        let remarks = self.ignored(|name| MODES.contains(&name));
+        let mut remarks = self.ignored(|name| MODES.contains(&name));
+        remarks.extend(scaled.map(|(line, length)| {
+            format!(
+                "line {line}: ux, uy, uz are {length:.3} long and taken as a direction alone, of length one, along which the stiffness is; of a shape that is scaled otherwise give the stiffness of the tip along it"
+            )
+        }));
         Ok(ResponseFile { response: Response::of_modes(&modes), remarks })
     }
 
@@ -179,6 +192,7 @@ impl<'a> Reader<'a> {
         let [most, _] = self.held_by.bounds();
         let expected = format!("a number of at most {most} in size, m/N; mm/N and um/N are other units");
         let mut rows: Vec<(f64, Matrix3<Complex<f64>>)> = Vec::new();
+        let (mut largest, mut apart) = (0.0_f64, 0.0_f64);
         let count = self.rows(MOST_ROWS, |line, number| {
             let hertz = number(frequency, [0.0, 1e5], "a frequency from 0 to 100000 Hz")?;
             if rows.last().is_some_and(|(before, _)| !(*before < hertz)) {
@@ -193,6 +207,8 @@ impl<'a> Reader<'a> {
                     receptance[(row, column)] = Complex::new(part(re)?, part(im)?);
                 }
             }
+            largest = largest.max(receptance.camax());
+            apart = apart.max((receptance - receptance.transpose()).camax());
             rows.push((hertz, receptance));
             Ok(())
         })?;
@@ -206,7 +222,14 @@ impl<'a> Reader<'a> {
             return Err(fault(1, &name, message));
         }
         check(&samples)?;
-        Ok(ResponseFile { remarks: self.remarks(&samples, &parts), response: Response::Samples(samples) })
+        let mut remarks = self.remarks(&samples, &parts);
+        if NOT_RECIPROCAL * largest < apart {
+            remarks.push(format!(
+                "gxy and gyx, or another such pair, differ by {:.0} % of the largest answer: both are the same of one tip; a sign or an axis of the table may be wrong",
+                100.0 * apart / largest
+            ));
+        }
+        Ok(ResponseFile { remarks, response: Response::Samples(samples) })
     }
 
     fn remarks(&self, samples: &Samples, parts: &[[Option<[usize; 2]>; 3]; 3]) -> Vec<String> {

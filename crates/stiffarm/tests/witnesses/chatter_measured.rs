@@ -19,7 +19,7 @@ use crate::modes::kr210;
 const SPINDLE: [MeasuredMode; 3] = [
     MeasuredMode { frequency: 610.0, ratio: 0.03, stiffness: 2.2e7, direction: [1.0, 0.0, 0.0] },
     MeasuredMode { frequency: 655.0, ratio: 0.025, stiffness: 2.6e7, direction: [0.1, 1.0, 0.0] },
-    MeasuredMode { frequency: 1480.0, ratio: 0.02, stiffness: 5.5e7, direction: [0.5, 0.5, 0.1] },
+    MeasuredMode { frequency: 1480.0, ratio: 0.02, stiffness: 5.5e7, direction: [0.7, 0.7, 0.14] },
 ];
 
 fn process(milling: &Milling, rpm: f64) -> Process {
