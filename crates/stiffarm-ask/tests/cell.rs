@@ -8,7 +8,7 @@ use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::place::{Misfit, PlaceOptions, Placed, Placement, Within, place};
-use stiffarm::robot::Robot;
+use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
 use stiffarm::watch::Watch;
@@ -53,6 +53,30 @@ fn in_window(window: Block) -> PlaceOptions {
 fn arm_in_cell(placement: &Placement, cell: &Cell) -> Vec<Point3<f64>> {
     let points = model().points(&placement.posture()).unwrap();
     points.into_iter().map(|point| cell.mount.cell_from_base * Point3::from(point)).collect()
+}
+
+/// Where joint 1 turns to one side only, the best places of a window lie at its limit: they are found, and a wider window has none that is worse. (The
+/// widest had no place at all, though 1.4, -0.8, 0.5 m, which a program of its own finds held at every roll, lies in each of them.)
+#[test]
+fn a_window_beside_the_range_of_joint_1_has_its_best_place_at_that_limit() {
+    let mut robot = robot();
+    let Arm::SixAxis { limits, .. } = &mut robot.arm else { panic!("six axes") };
+    limits.joints[0] = Interval::spanning(10_f64.to_radians(), 120_f64.to_radians());
+    let model = Model::spatial(&robot, &Pose::translation(0.0, 0.0, 0.2)).unwrap();
+    let zone = Zone::Rectangle { width: 0.6, height: 0.4 };
+    let of = |y: &str| {
+        let within = format!("1.2..1.8,{y},0.5..1");
+        let options = asked(&[("task", "rect:0.6x0.4"), ("within", &within)]);
+        let placed = place(&model, &zone.into(), &options, Watch::nobody()).unwrap();
+        placed.feasible().unwrap_or_else(|| panic!("{y}: {placed:?}")).clone()
+    };
+    let narrow = of("-2..-0.5");
+    for wider in ["-3..0", "-3..3", "-2.2..-0.3"] {
+        let found = of(wider);
+        assert!(found.deflection < narrow.deflection * (1.0 + 1e-9), "{wider}: {}", found.deflection);
+        let (least, _) = found.smallest_margin().expect("a margin");
+        assert!(5_f64.to_radians() - 1e-9 < least, "{wider}: {least}");
+    }
 }
 
 /// A box about the pedestal keeps what moves out, and no longer every place.

@@ -34,7 +34,7 @@ use crate::interval::Interval;
 use crate::limits::Limits;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
-use crate::tolerances::{CLEARANCE, PROOF_CLEARANCE};
+use crate::tolerances::{CLEARANCE, FOLLOWED, PROOF_CLEARANCE};
 
 pub(crate) use angular_interval::AngularInterval;
 use angular_limits::AngularLimits;
@@ -147,6 +147,16 @@ impl SpatialArm {
         arm.limits.joints[0] = arm.limits.joints[0].affine(1.0, -arm.geometry.sign[0] * angle);
         arm.angular_limits = AngularLimits::new(&arm.geometry, &arm.limits);
         arm
+    }
+
+    /// The same arm whose joint 1 keeps as clear of its limits as a zone that is followed keeps it, where it has that much room: a zone that may not be
+    /// turned about the joint-1 axis is not followed nearer to them.
+    pub(crate) fn with_joint_1_clear(mut self) -> Self {
+        if let Some(range) = self.limits.joints[0].narrowed(CLEARANCE + FOLLOWED) {
+            self.limits.joints[0] = range;
+            self.angular_limits = AngularLimits::new(&self.geometry, &self.limits);
+        }
+        self
     }
 
     /// The same arm with every limit narrowed by `by`, rad, at either end, and with the distance from singular postures widened

@@ -406,7 +406,7 @@ impl<'a> CellSearch<'a> {
         let search = Search {
             robot: self.robot,
             arm: &arm,
-            freed: arm.without_limit_on(5, self.roll_is_free),
+            freed: arm.without_limit_on(5, self.roll_is_free).with_joint_1_clear(),
             zone: self.zone,
             options: &question,
             roll_is_free: self.roll_is_free,
