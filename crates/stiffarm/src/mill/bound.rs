@@ -70,7 +70,8 @@ impl<'a> Floor<'a> {
     pub(super) fn lower_bound(&self, ladder: &Ladder, known: f64) -> Result<f64, MillError> {
         match self.question.options.roll {
             RollMode::Fixed(_) => Ok(Self::of_one_roll(ladder).min(known)),
-            RollMode::Constant => self.of_constant(ladder, known),
+            // A constant roll is one of all.
+            RollMode::Constant => Ok(self.of_constant(ladder, known)?.max(self.of_free(ladder, known)?)),
             RollMode::Free | RollMode::Linear => self.of_free(ladder, known),
         }
     }
