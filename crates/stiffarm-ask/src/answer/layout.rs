@@ -10,7 +10,7 @@ use dimensions::{from_an_origin, of_a_zone};
 use super::words::degrees;
 use super::{Line, MillAnswer, PlaceAnswer, line};
 use nalgebra::{Point3, Rotation3, Vector3};
-use stiffarm::cell::{Block, Cell};
+use stiffarm::cell::{Block, Cell, MountKind};
 use stiffarm::interval::Interval;
 use stiffarm::mill::Station;
 use stiffarm::model::ModelKind;
@@ -27,15 +27,17 @@ const MOST_POINTS: usize = 400;
 /// Corners of a circle.
 const CORNERS: usize = 72;
 
-/// A zone, a part or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
+/// A zone, a part or a path at its place, in metres: ahead, to the left, up; along the axes of the base, or of the cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
     /// Whose work it is, and which.
     pub title: String,
-    /// What lengths count from, such as `the base`.
-    pub origin: &'static str,
     /// Where the joint-1 axis meets the foot of the robot.
     pub foot: [f64; 3],
+    /// Where the joint-1 axis points from there, of length one.
+    pub axis: [f64; 3],
+    /// What the robot is fixed to, where that is neither a floor nor a pedestal.
+    pub fixed_to: Option<&'static str>,
     /// Where the floor is, where that is known: of a cell.
     pub floor: Option<f64>,
     /// The rim of the zone or of every face, closed lines whose first point is not repeated; or the cuts of a path.
@@ -60,10 +62,11 @@ impl PlaceAnswer {
     pub fn layout(&self) -> Option<Layout> {
         let best = self.best().filter(|_| self.robot.knows_base())?;
         let cell = self.options.cell;
+        let cell_from_base = cell.map_or_else(Pose::identity, |cell| cell.mount.cell_from_base);
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), best.space().map_or(0.0, |hold| hold.bearing));
         let placed = |at: Vector3<f64>| {
             let at = Point3::from(turn * at);
-            <[f64; 3]>::from(cell.map_or(at, |cell| cell.mount.cell_from_base * at))
+            <[f64; 3]>::from(cell_from_base * at)
         };
         let rims = match &self.task.work {
             Work::Zone(zone) => vec![self.rim(*zone, best)],
@@ -73,7 +76,6 @@ impl PlaceAnswer {
         let lines: Vec<Vec<[f64; 3]>> = rims.into_iter().map(|rim| rim.into_iter().map(placed).collect()).collect();
         let [x, z] = best.centre;
         let centre = placed(Vector3::new(x, self.aside(best), z));
-        let foot = cell.map_or([0.0; 3], |cell| cell.mount.cell_from_base.translation.vector.into());
         let [from, to] = match &self.task.work {
             Work::Part(_) => [Vector3::zeros(), Vector3::new(best.angle.cos(), best.angle.sin(), 0.0)].map(placed),
             Work::Zone(zone) if zone.is_round() => [centre, lines[0][0]],
@@ -83,8 +85,9 @@ impl PlaceAnswer {
         let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
         let mut layout = Layout {
             title: format!("{}: {} ({})", self.robot.full_name(), self.task.label, self.task.work.describe()),
-            origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
-            foot,
+            foot: cell_from_base.translation.vector.into(),
+            axis: (cell_from_base.rotation * Vector3::z()).into(),
+            fixed_to: fixed_to(cell.as_ref()),
             floor: cell.map(|_| 0.0),
             lines,
             is_closed: true,
@@ -205,8 +208,9 @@ impl MillAnswer {
         let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
         let mut layout = Layout {
             title: format!("{}: {}", self.robot.full_name(), self.path),
-            origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot: cell_from_base.translation.vector.into(),
+            axis: (cell_from_base.rotation * Vector3::z()).into(),
+            fixed_to: fixed_to(cell.as_ref()),
             floor: cell.map(|_| 0.0),
             lines: cuts.map(cut).collect(),
             centre: placement.at,
@@ -228,6 +232,24 @@ impl Layout {
         [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
     }
 
+    /// The joint-1 axis is upright, or hangs: lengths count from it.
+    pub fn axis_is_vertical(&self) -> bool {
+        1.0 - self.axis[2].abs() < 1e-12
+    }
+
+    /// What lengths ahead and sideways count from.
+    pub fn datum(&self) -> &'static str {
+        if self.axis_is_vertical() { "joint-1 axis" } else { "middle of the foot" }
+    }
+
+    /// What lengths count from, and along which axes.
+    pub fn origin(&self) -> String {
+        match self.floor {
+            None => "the base".into(),
+            Some(_) => format!("the {} and the floor, along the axes of the cell", self.datum()),
+        }
+    }
+
     /// For people: what is measured, line by line.
     pub fn measured(&self) -> Vec<Line> {
         let mut lines: Vec<Line> =
@@ -235,6 +257,16 @@ impl Layout {
         lines.extend(self.turned.clone());
         lines
     }
+}
+
+/// What carries a robot that does not stand.
+fn fixed_to(cell: Option<&Cell>) -> Option<&'static str> {
+    let mount = cell.map(|cell| cell.mount).filter(|mount| mount.raised().is_none())?;
+    Some(match mount.kind {
+        MountKind::Wall => "wall",
+        MountKind::Ceiling => "ceiling",
+        MountKind::Pedestal | MountKind::Pose => "base as posed",
+    })
 }
 
 /// How something is turned about the vertical.
@@ -379,6 +411,41 @@ mod tests {
         assert_eq!(measured[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
         let turn = layout.yaw.unwrap();
         assert_eq!(measured.last().unwrap()[1], degrees(turn));
+    }
+
+    /// On a wall the joint-1 axis is level: lengths count from the foot; where a base is posed, from where it is and not from the cell's origin.
+    #[test]
+    fn lengths_count_from_the_joint_1_axis_where_it_is_upright_and_from_the_foot_elsewhere() {
+        let of = |mount: &str| {
+            let options =
+                [("path", "line:0.1"), ("robot", "it"), ("force-n", "100"), ("at", "1.6,0.9,0.7,0"), ("mount", mount)];
+            let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
+            let asked = Request::read(Verb::Mill, &options.map(pair), Spelling::Typed).unwrap();
+            let (moves, robot) = ("line:0.1".parse::<Builtin>().unwrap().moves(None), paper_robots().swap_remove(4));
+            let answer = MillAnswer::of(&asked, &robot, ("line:0.1".into(), &moves), None, Watch::nobody()).unwrap();
+            answer.layout().unwrap()
+        };
+        for (mount, fixed_to, from, lengths) in [
+            ("pose:0.2,0.1,0.6,0,0,0", None, "joint-1 axis", ["700.0 mm", "1400.0 mm", "800.0 mm"]),
+            ("pedestal:0.4", None, "joint-1 axis", ["700.0 mm", "1600.0 mm", "900.0 mm"]),
+            ("ceiling:3", Some("ceiling"), "joint-1 axis", ["700.0 mm", "1600.0 mm", "900.0 mm"]),
+            ("wall:1.6", Some("wall"), "middle of the foot", ["700.0 mm", "1600.0 mm", "900.0 mm"]),
+            (
+                "pose:0.2,0.1,0.6,0,20,0",
+                Some("base as posed"),
+                "middle of the foot",
+                ["700.0 mm", "1400.0 mm", "800.0 mm"],
+            ),
+        ] {
+            let layout = of(mount);
+            let measured = layout.measured();
+            assert_eq!((layout.fixed_to, [0, 1, 2].map(|i| measured[i][1].as_str())), (fixed_to, lengths), "{mount}");
+            assert_eq!(measured[1][0], format!("{from} to the path's origin, ahead"), "{mount}");
+            assert_eq!(measured[2][0], format!("the path's origin to the left of the {from}"), "{mount}");
+            assert_eq!(layout.origin(), format!("the {from} and the floor, along the axes of the cell"), "{mount}");
+        }
+        let axis = of("wall:1.6").axis;
+        assert!((axis[0] - 1.0).abs() < 1e-12, "out of the wall: {axis:?}");
     }
 
     /// A line of 0.4 m along the part's x axis about its origin, turned by 30 deg: by hand.

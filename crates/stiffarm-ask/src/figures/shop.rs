@@ -24,6 +24,10 @@ const FOOT: f64 = 0.3;
 const ASIDE: f64 = 2.5;
 /// Of the x axis of a path, px.
 const X_AXIS: f64 = 46.0;
+/// How thick the plate is on which a robot stands, px.
+const PLATE: f64 = 8.0;
+/// An axis that is seen shorter than this points at who looks.
+const FACING: f64 = 0.2;
 /// Shorter lengths stand in the table alone, px.
 const SHORTEST: f64 = 3.0;
 
@@ -64,10 +68,10 @@ impl ShopFigure<'_> {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
         let mut canvas = Canvas::of(&self.figure_size);
-        let Layout { title, origin, yaw, .. } = self.layout;
+        let Layout { title, yaw, .. } = self.layout;
         let turned =
             yaw.map_or_else(String::new, |yaw| format!("; x at {}, counterclockwise from above", degrees(yaw)));
-        let subtitle = format!("side and top view; lengths in mm from {origin}{turned}");
+        let subtitle = format!("side and top view; lengths in mm from {}{turned}", self.layout.origin());
         let top = heading(&mut canvas, title, &subtitle) + 18.0;
         let scale = self.scale(canvas.width, top);
         // From above: y, to the left, upwards.
@@ -172,12 +176,42 @@ impl ShopFigure<'_> {
         );
         let name = if floor.is_some() { "floor" } else { "base" };
         canvas.text([ROOM[0] - 18.0, level], name, Font::new(12.0).end().colour(PROSE));
-        let [x, y] = scale.side(*foot);
-        let half = FOOT / 2.0 * scale.per_metre;
-        canvas.rect([x - half, y], [x + half, level], &format!(r#"fill="{ARM}" stroke="{GREY}""#));
-        canvas.rect([x - half, y - 8.0], [x + half, y], &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#));
-        axis(canvas, [x, top - 6.0], [x, level + 10.0]);
+        if let Some(carrier) = self.layout.fixed_to {
+            let [ahead, _, up] = self.layout.axis;
+            self.draw_fixed(canvas, (scale.side(*foot), [ahead, -up]), scale, carrier);
+        } else {
+            let [x, y] = scale.side(*foot);
+            let half = FOOT / 2.0 * scale.per_metre;
+            canvas.rect([x - half, y], [x + half, level], &format!(r#"fill="{ARM}" stroke="{GREY}""#));
+            canvas.rect([x - half, y - PLATE], [x + half, y], &plate());
+            axis(canvas, [x, top - 6.0], [x, level + 10.0]);
+        }
         self.draw_work(canvas, |at| scale.side(at));
+    }
+
+    /// The foot of a robot that does not stand, at a place of a view in which the joint-1 axis points so; round where it points at who looks.
+    fn draw_fixed(&self, canvas: &mut Canvas, (at, along): (Px, Px), scale: &Scale, carrier: &'static str) {
+        let half = FOOT / 2.0 * scale.per_metre;
+        let length = along[0].hypot(along[1]);
+        if length < FACING {
+            canvas.circle(at, half, &plate());
+            return;
+        }
+        let [out, side] = [[along[0] / length, along[1] / length], [-along[1] / length, along[0] / length]];
+        let corner = |across: f64, away: f64| [0, 1].map(|i| at[i] + across * side[i] + away * out[i]);
+        let behind =
+            [corner(-2.0 * half, 0.0), corner(2.0 * half, 0.0), corner(2.0 * half, -5.0), corner(-2.0 * half, -5.0)];
+        canvas.path(&path(&behind, true), &format!(r#"fill="{GROUND}" fill-opacity="0.45""#));
+        canvas.line(behind[0], behind[1], &format!(r#"stroke="{INK}" stroke-width="1.2""#));
+        let foot = [corner(-half, 0.0), corner(half, 0.0), corner(half, PLATE), corner(-half, PLATE)];
+        canvas.path(&path(&foot, true), &plate());
+        let end = corner(0.0, FOOT * scale.per_metre * length);
+        axis(canvas, corner(0.0, -10.0), end);
+        let font = Font::new(12.0).colour(PROSE).halo();
+        canvas.text([end[0] + 6.0, end[1]], "joint-1 axis", font);
+        // Beside the right end, the lower one of a wall.
+        let beside = behind[..2].iter().copied().max_by(|a, b| (a[0] + 0.01 * a[1]).total_cmp(&(b[0] + 0.01 * b[1])));
+        canvas.text(beside.map_or(at, |[x, y]| [x + 6.0, y]), carrier, font);
     }
 
     /// The zone, also where it is seen as a line, or the cuts of a path.
@@ -194,15 +228,20 @@ impl ShopFigure<'_> {
     /// Foot and zone from above.
     fn draw_above(&self, canvas: &mut Canvas, scale: &Scale) {
         let [x, y] = scale.above(self.layout.foot);
-        canvas.circle(
-            [x, y],
-            FOOT / 2.0 * scale.per_metre,
-            &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#),
-        );
         let arm = FOOT * scale.per_metre;
-        axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
-        axis(canvas, [x, y - arm], [x, y + arm]);
-        canvas.text([x + 6.0, y - FOOT / 2.0 * scale.per_metre - 9.0], "joint-1 axis", Font::new(12.0).colour(PROSE));
+        match self.layout.fixed_to.filter(|_| !self.layout.axis_is_vertical()) {
+            Some(carrier) => {
+                let [ahead, left, _] = self.layout.axis;
+                self.draw_fixed(canvas, ([x, y], [ahead, -left]), scale, carrier);
+            }
+            None => {
+                canvas.circle([x, y], FOOT / 2.0 * scale.per_metre, &plate());
+                axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
+                axis(canvas, [x, y - arm], [x, y + arm]);
+                let above = y - FOOT / 2.0 * scale.per_metre - 9.0;
+                canvas.text([x + 6.0, above], "joint-1 axis", Font::new(12.0).colour(PROSE));
+            }
+        }
         self.draw_work(canvas, |at| scale.above(at));
         if let Some(yaw) = self.layout.yaw {
             let ([x, y], length, (dy, dx)) = (scale.above(self.layout.centre), X_AXIS, yaw.sin_cos());
@@ -216,6 +255,11 @@ impl ShopFigure<'_> {
             canvas.line(from, to, &format!(r#"stroke="{INK}" stroke-width="1""#));
         }
     }
+}
+
+/// How the plate looks on which a robot stands.
+fn plate() -> String {
+    format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#)
 }
 
 /// A dash-dotted line.

@@ -36,11 +36,12 @@ fn ground(layout: &Layout) -> (f64, &'static str) {
 /// Where the origin of a path or a part stands, and how far that reaches.
 pub(super) fn from_an_origin(layout: &Layout, origin: &str, whole: &str) -> Vec<Dimension> {
     let ([x, y, z], [ahead, left, _], (floor, ground)) = (layout.centre, layout.foot, ground(layout));
+    let datum = layout.datum();
     let above = side(z - floor, ["above", "below"]);
     let mut dimensions = vec![
         dimension(2, [floor, z], format!("height of {origin} {above} the {ground}")),
-        dimension(0, [ahead, x], format!("joint-1 axis to {origin}, {}", side(x - ahead, ["ahead", "behind"]))),
-        dimension(1, [left, y], format!("{origin} to the {} of the joint-1 axis", side(y - left, ["left", "right"]))),
+        dimension(0, [ahead, x], format!("{datum} to {origin}, {}", side(x - ahead, ["ahead", "behind"]))),
+        dimension(1, [left, y], format!("{origin} to the {} of the {datum}", side(y - left, ["left", "right"]))),
     ];
     for (axis, way) in [(0, "ahead"), (1, "sideways"), (2, "upwards")] {
         let ends = layout.extent(axis);
@@ -57,6 +58,7 @@ pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
     let (floor, ground) = ground(layout);
     let above = |z: f64| side(z - floor, ["above", "below"]);
     let beside = side(layout.centre[1] - layout.foot[1], ["left", "right"]);
+    let datum = layout.datum();
     let mut dimensions = Vec::new();
     if is_flat(up) {
         dimensions.push(dimension(
@@ -75,7 +77,7 @@ pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
     dimensions.push(dimension(
         0,
         [layout.foot[0], across[0]],
-        format!("joint-1 axis to its near edge, {}", side(across[0] - layout.foot[0], ["ahead", "behind"])),
+        format!("{datum} to its near edge, {}", side(across[0] - layout.foot[0], ["ahead", "behind"])),
     ));
     if is_flat(across) {
         return dimensions;
@@ -83,13 +85,13 @@ pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
     dimensions.push(dimension(
         0,
         [layout.foot[0], layout.centre[0]],
-        format!("joint-1 axis to its centre, {}", side(layout.centre[0] - layout.foot[0], ["ahead", "behind"])),
+        format!("{datum} to its centre, {}", side(layout.centre[0] - layout.foot[0], ["ahead", "behind"])),
     ));
     dimensions.push(dimension(0, across, "its extent ahead".into()));
     dimensions.push(dimension(
         1,
         [layout.foot[1], layout.centre[1]],
-        format!("its centre to the {beside} of the joint-1 axis"),
+        format!("its centre to the {beside} of the {datum}"),
     ));
     if !is_flat(aside) {
         dimensions.push(dimension(1, aside, "its extent sideways".into()));

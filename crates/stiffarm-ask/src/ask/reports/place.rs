@@ -79,7 +79,7 @@ pub(crate) fn standing(layout: &Layout, what: &str) -> Section {
     let mut section = Section::new("Where the work must stand");
     let figure = ShopFigure { layout, figure_size: figure_size(FigureSize::default()) };
     section
-        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", layout.origin));
+        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", layout.origin()));
     section.table(Table::of_lines(layout.measured()));
     section
 }
