@@ -24,7 +24,7 @@ pub struct CompareAnswer {
 /// A row of the table: what it says of a setup, where that has it.
 type Says = fn(&PlaceAnswer) -> Option<String>;
 
-const LINES: [(&str, Says); 20] = [
+const LINES: [(&str, Says); 22] = [
     ("robot", |side| Some(side.robot.full_name())),
     ("architecture", |side| Some(words::architecture(&side.robot))),
     ("status", |side| Some(words::status(&side.robot).into())),
@@ -56,12 +56,19 @@ const LINES: [(&str, Says); 20] = [
         let loud = if clearance.distance < 0.0 { "COLLISION: " } else { "" };
         Some(format!("{loud}{} mm, {}", fixed(clearance.distance * 1e3, 0), words::clearance_between(&clearance)))
     }),
+    ("payload", |side| said_of_load(side, "payload")),
+    ("wrist", |side| said_of_load(side, "wrist")),
     ("tolerance", |side| side.tolerance_mm.map(|tolerance| format!("{tolerance} mm"))),
     ("verdict", |side| {
         let verdict = side.verdict()?;
         Some(format!("{}, margin {} mm", verdict.in_words(), fixed(verdict.margin_mm, 4)))
     }),
 ];
+
+/// What is told of the load under a name.
+fn said_of_load(side: &PlaceAnswer, name: &str) -> Option<String> {
+    side.carried().lines().find(|line| line[0] == name).map(|[_, says]| says)
+}
 
 impl CompareAnswer {
     fn best(&self) -> [Option<&Placement>; 2] {
@@ -239,6 +246,11 @@ impl CompareAnswer {
             if side.clearance().is_some_and(|clearance| clearance.distance < 0.0) {
                 sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(at)));
             }
+            sentences.extend(
+                side.carried()
+                    .exceeded()
+                    .map(|what| format!("{} may not carry this ({what}): it is not to be chosen.", called(at))),
+            );
         }
         let differ = self.differ_in();
         if differ.iter().any(|what| ["force", "task"].contains(what)) {

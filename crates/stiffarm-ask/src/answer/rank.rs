@@ -46,10 +46,21 @@ impl RankAnswer {
         advice: Vec<Vec<Option<Advice>>>,
     ) -> Self {
         let drawn = drawn_in(&ranking);
-        let chances = chances_of(&ranking, &drawn);
         let known = |of_task: Option<Vec<f64>>| of_task.map(|draws| Known::of(draws, tolerance_mm));
-        let known = drawn.into_iter().map(|of_row| of_row.into_iter().map(known).collect()).collect();
-        Self { ranking, options, tolerance_mm, advice, chances, known }
+        let judged = drawn.iter().map(|of_row| of_row.iter().cloned().map(known).collect()).collect();
+        let mut answer = Self { ranking, options, tolerance_mm, advice, chances: Vec::new(), known: judged };
+        // Who is not to be taken wins nothing, and ties with nobody.
+        let may_win = |(row, of_row): (&Row, Vec<_>)| {
+            if answer.is_barred(row) { vec![None; of_row.len()] } else { of_row }
+        };
+        let drawn: Vec<Vec<_>> = answer.ranking.rows.iter().zip(drawn).map(may_win).collect();
+        answer.chances = chances_of(&answer.ranking, &drawn);
+        answer
+    }
+
+    /// Those that may be as good as the best at a task, and may be taken.
+    pub(super) fn rivals(&self, task: usize) -> Vec<&Row> {
+        self.ranking.rivals(task).into_iter().filter(|row| !self.is_barred(row)).collect()
     }
 
     /// Whether a row keeps the tolerance at a task; `None` where there is no tolerance, or no place.
@@ -165,7 +176,7 @@ impl RankAnswer {
             let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
             let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
             let best = self.ranking.best_published(task);
-            let rivals: Vec<&str> = self.ranking.rivals(task).iter().map(|row| row.robot.name.as_str()).collect();
+            let rivals: Vec<&str> = self.rivals(task).iter().map(|row| row.robot.name.as_str()).collect();
             let mut record = Record::of(&shape::WINNER);
             record
                 .put(field::TASK, &asked.label)
@@ -219,7 +230,7 @@ impl RankAnswer {
             headings.push("planar #".into());
         }
         let mut table = Table::new(headings).with_room(2, &spare);
-        let rivals: Vec<Vec<&Row>> = (0..tasks.len()).map(|task| self.ranking.rivals(task)).collect();
+        let rivals: Vec<Vec<&Row>> = (0..tasks.len()).map(|task| self.rivals(task)).collect();
         for (at, row) in rows.iter().enumerate() {
             let robot = &row.robot;
             let estimated = robot.status == Status::Estimated;
@@ -274,10 +285,14 @@ impl RankAnswer {
             (false, false) if rivals.iter().any(|rival| rival.robot == row.robot) => "=",
             (false, false) => "",
         };
-        let verdict = self.verdict(at, task).map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
         let collides = row.placement(task).is_some_and(Placement::collides_in_space);
         let loud = if collides { " COLLISION" } else { "" };
-        format!("{}{mark}{verdict}{loud}", fixed(deflection * 1e3, 3))
+        // As on a path: who may not carry it passes nothing.
+        let judged = match self.verdict(at, task) {
+            _ if self.carried(&row.robot).is_exceeded() => " LOAD EXCEEDED".into(),
+            verdict => verdict.map_or_else(String::new, |verdict| format!(" {}", verdict.short())),
+        };
+        format!("{}{mark}{judged}{loud}", fixed(deflection * 1e3, 3))
     }
 
     /// What stands above the table.

@@ -46,7 +46,7 @@ impl RankAnswer {
         if any(&|_, row| self.carried(&row.robot).is_exceeded()) {
             return Outcome::Overloaded;
         }
-        if any(&|task, _| !ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task)) {
+        if any(&|task, _| !self.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task)) {
             return Outcome::Tie;
         }
         let is_open =
@@ -84,7 +84,7 @@ impl RankAnswer {
     fn lead(&self, task: usize) -> Option<Lead<'_>> {
         let best = self.ranking.best_published(task)?;
         let value = best.deflection(task)?;
-        if !self.ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task) {
+        if !self.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task) {
             return None;
         }
         let others = self.ranking.rows.iter().filter(|row| row.rank.is_some() && row.robot != best.robot);

@@ -19,7 +19,7 @@ impl RankAnswer {
     pub fn notes(&self) -> String {
         let Ranking { rows, tasks, in_plane, .. } = &self.ranking;
         let mut notes = String::from("* best of the robots whose geometry is published");
-        if (0..tasks.len()).any(|task| !self.ranking.rivals(task).is_empty()) {
+        if (0..tasks.len()).any(|task| !self.rivals(task).is_empty()) {
             notes += "; = may be as good: its proved bound does not lie above the value of the best";
         }
         if rows.iter().any(|row| row.robot.status == Status::Estimated) {

@@ -14,7 +14,7 @@ impl RankAnswer {
     /// Where there is no such row.
     pub fn table_of(&self, at: usize) -> Table {
         let row = &self.ranking.rows[at];
-        let rivals: Vec<_> = (0..self.ranking.tasks.len()).map(|task| self.ranking.rivals(task)).collect();
+        let rivals: Vec<_> = (0..self.ranking.tasks.len()).map(|task| self.rivals(task)).collect();
         let spreads: Vec<Option<Spread>> = (0..row.cells.len()).map(|task| self.spread(at, task)).collect();
         let is_scattered = spreads.iter().any(Option::is_some);
         let mut headings = vec!["task", "worst deflection [mm]", "proved lower bound [mm]"];

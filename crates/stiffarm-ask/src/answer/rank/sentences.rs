@@ -48,8 +48,14 @@ impl RankAnswer {
     }
 
     /// A robot is not to be taken, whatever its deflections: its arm collides, or it carries more than it may.
-    fn is_barred(&self, row: &Row) -> bool {
+    pub(in crate::answer) fn is_barred(&self, row: &Row) -> bool {
         collides(row) || self.carried(&row.robot).is_exceeded()
+    }
+
+    /// A robot that is not to be taken, and why.
+    fn barred(&self, row: &Row) -> String {
+        let why = [self.carried(&row.robot).exceeded(), collides(row).then(|| "its arm collides".to_owned())];
+        format!("{} ({})", row.robot.name, why.into_iter().flatten().collect::<Vec<_>>().join("; "))
     }
 
     /// What a robot must do besides, where some robot does not.
@@ -133,7 +139,7 @@ impl RankAnswer {
             );
         }
         let ties = |task: usize| uncertainty::ties(&self.chances, task);
-        let is_alone = |task: usize| ranking.rivals(task).is_empty() && ties(task) < 2;
+        let is_alone = |task: usize| self.rivals(task).is_empty() && ties(task) < 2;
         let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
         let undecided = |task: usize| self.undistinguished(task).or_else(|| self.tied_by_drives(task, ties(task)));
         let open: Vec<String> = (0..ranking.tasks.len()).filter_map(undecided).collect();
@@ -171,7 +177,7 @@ impl RankAnswer {
 
     /// The best of a task with all that may be as good, where there are some.
     fn undistinguished(&self, task: usize) -> Option<String> {
-        let (best, rivals) = (self.ranking.best_published(task)?, self.ranking.rivals(task));
+        let (best, rivals) = (self.ranking.best_published(task)?, self.rivals(task));
         let (first, others) = rivals.split_first()?;
         let named = |row: &Row| {
             let bound = row.placement(task).map_or_else(|| "-".into(), |best| fixed(best.lower_bound * 1e3, 3));
@@ -199,7 +205,7 @@ impl RankAnswer {
         let other = |task: usize| {
             let best = planar.best_published(task)?;
             let same = self.ranking.best_published(task).is_some_and(|row| row.robot == best.robot);
-            let is_open = !(self.ranking.rivals(task).is_empty() && planar.rivals(task).is_empty());
+            let is_open = !(self.rivals(task).is_empty() && planar.rivals(task).is_empty());
             (!same && !is_open).then_some(best)
         };
         let others: Vec<String> = self
@@ -258,6 +264,9 @@ impl RankAnswer {
             let value = |task: usize| row.deflection(task).unwrap_or(f64::INFINITY);
             let advised = (0..row.cells.len()).filter_map(|task| Some((task, self.advised(at, task)?)));
             let (task, found) = advised.max_by(|a, b| value(a.0).total_cmp(&value(b.0)))?;
+            if self.is_barred(row) {
+                return None;
+            }
             let asked = &self.ranking.tasks[task];
             let text = advice::sentence(found, (asked, self.ranking.load));
             Some(format!("{} on {}: {text}.", row.robot.full_name(), asked.label))
@@ -272,10 +281,15 @@ impl RankAnswer {
         };
         let keeping: Vec<&Row> = self.ranking.rows.iter().filter(keeps).collect();
         let passing: Vec<&Row> = keeping.iter().copied().filter(|row| !self.is_barred(row)).collect();
-        let odd = match keeping.len() - passing.len() {
+        let odd: Vec<String> = keeping.iter().filter(|row| self.is_barred(row)).map(|row| self.barred(row)).collect();
+        let named_odd = odd.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join("; ");
+        let odd = match odd.len() {
             0 => String::new(),
-            1 => " One more keeps it, but collides or carries more than it may.".into(),
-            odd => format!(" {odd} more keep it, but collide or carry more than they may."),
+            1 => format!(" One more keeps it and is not to be taken: {named_odd}."),
+            count => {
+                let more = if MOST_NAMED < count { format!(" and {} more", count - MOST_NAMED) } else { String::new() };
+                format!(" {count} more keep it and are not to be taken: {named_odd}{more}.")
+            }
         };
         if passing.is_empty() {
             return format!("No robot keeps {tolerance} mm on every task{}.{odd}", self.clearly());
