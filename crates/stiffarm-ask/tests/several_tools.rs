@@ -147,6 +147,31 @@ fn the_file_of_a_path_is_written_back_with_the_cuts_of_all_tools_led_aside() {
     assert!(refused.contains("without --compensate"), "{refused}");
 }
 
+/// What compensation leaves of all tools together is judged, too: no better than of any of them, and of tools that cut alike as of one.
+#[test]
+fn the_compensated_path_of_all_tools_has_a_verdict() {
+    let options = [&BY_TOOL[..], &[("compensate", "true"), ("tolerance-mm", "0.35")]].concat();
+    let file = format!("{HEAD}T1 M6\n{ONE}T2 M6\n{OTHER}T1 M6\n{OTHER}M2\n");
+    let answer = by_tool(&file, &options).expect("an answer");
+    let all = &answer.json()["compensation"];
+    let number = |of: &serde_json::Value, key: &str| of[key].as_f64().unwrap_or_else(|| panic!("{key}: {of}"));
+    let sections = answer.json()["by_tool"].as_array().expect("sections").clone();
+    let of_sections = |key: &str| sections.iter().map(|one| number(&one["compensation"], key)).collect::<Vec<_>>();
+    let largest = |key: &str| of_sections(key).into_iter().fold(f64::NEG_INFINITY, f64::max);
+    assert_eq!(number(all, "largest_correction_mm"), largest("largest_correction_mm"));
+    for key in ["left_median_mm", "left_p95_mm"] {
+        assert!(largest(key) <= number(all, key), "{key}: {all}");
+    }
+    let least = of_sections("probability").into_iter().fold(1.0, f64::min);
+    // Drives that are off are so for all tools: who holds it with the worst, mostly holds it.
+    let probability = number(all, "probability");
+    assert!(probability <= least && 0.9 * least < probability && least < 1.0, "{probability} {least}");
+    assert!(answer.notes().contains("tolerance 0.35 mm, all tools, compensated: "), "{}", answer.notes());
+    let one = by_tool(&format!("{HEAD}T1 M6\n{ONE}T2 M6\n{ONE}M2\n"), &options).expect("an answer");
+    assert!(one.json()["compensation"]["verdict"].is_string());
+    assert!(by_tool(&file, &BY_TOOL).expect("an answer").json()["compensation"].is_null());
+}
+
 /// What of several tools is missing or does not go together is refused by its name.
 #[test]
 fn several_tools_need_a_process_a_length_and_a_place_each() {

@@ -62,9 +62,9 @@ class RankOptions(TypedDict, total=False):
     [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
-    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
-    [default: in front of the joint-1 axis, above the floor]."""
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 with x from the joint-1 axis in any
+    direction about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open,
+    and with --mount count from the cell's floor [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
     """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
@@ -198,9 +198,9 @@ class PlaceOptions(TypedDict, total=False):
     [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
-    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
-    [default: in front of the joint-1 axis, above the floor]."""
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 with x from the joint-1 axis in any
+    direction about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open,
+    and with --mount count from the cell's floor [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
     """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
@@ -323,9 +323,9 @@ class MapOptions(TypedDict, total=False):
     [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
-    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
-    [default: in front of the joint-1 axis, above the floor]."""
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 with x from the joint-1 axis in any
+    direction about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open,
+    and with --mount count from the cell's floor [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
     """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
@@ -632,9 +632,9 @@ class CompareOptions(TypedDict, total=False):
     [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
-    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
-    [default: in front of the joint-1 axis, above the floor]."""
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 with x from the joint-1 axis in any
+    direction about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open,
+    and with --mount count from the cell's floor [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
     """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
@@ -1140,9 +1140,9 @@ class SweepOptions(TypedDict, total=False):
     [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
-    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
-    [default: in front of the joint-1 axis, above the floor]."""
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 with x from the joint-1 axis in any
+    direction about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open,
+    and with --mount count from the cell's floor [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
     """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
@@ -2382,7 +2382,8 @@ class PathChatter(TypedDict):
     """Axial depth of the cut, as the process has it."""
 
     entry_deg: float | None
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+    """Where a tooth enters, in the sense of the rotation from the left of the feed, of a spindle that turns
+    counter-clockwise from its right."""
 
     exit_deg: float | None
     """Where a tooth leaves."""
@@ -2411,7 +2412,8 @@ class PathChatter(TypedDict):
     """By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives."""
 
     any_speed_depth_mm: float | None
-    """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
+    """Less deep no speed swings, by the mean of the teeth, and never deeper than critical_depth_mm; null where
+    none up to 300 mm does."""
 
     any_speed_depth_mm_p05: float | None
     """5th percentile over the same draws."""
@@ -3025,6 +3027,9 @@ class MilledByToolDict(_Pass):
     margin_mm: float | None
     """What is left of the tolerance."""
 
+    compensation: CompensatedPath | None
+    """What compensation makes of the path; null where it was not asked for."""
+
     by_tool: list[MilledWithTool]
     """What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its
     number and its tip."""
@@ -3527,7 +3532,8 @@ class ChatterDict(TypedDict):
     """Axial depth of the cut, as the process has it."""
 
     entry_deg: float
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+    """Where a tooth enters, in the sense of the rotation from the left of the feed, of a spindle that turns
+    counter-clockwise from its right."""
 
     exit_deg: float
     """Where a tooth leaves."""
@@ -3556,7 +3562,8 @@ class ChatterDict(TypedDict):
     """By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives."""
 
     any_speed_depth_mm: float | None
-    """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
+    """Less deep no speed swings, by the mean of the teeth, and never deeper than critical_depth_mm; null where
+    none up to 300 mm does."""
 
     any_speed_depth_mm_p05: float | None
     """5th percentile over the same draws."""
@@ -3782,7 +3789,8 @@ class ForceDict(TypedDict):
     """Speed of the spindle."""
 
     entry_deg: float | None
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+    """Where a tooth enters, in the sense of the rotation from the left of the feed, of a spindle that turns
+    counter-clockwise from its right."""
 
     exit_deg: float | None
     """Where a tooth leaves."""

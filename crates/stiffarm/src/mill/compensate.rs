@@ -65,7 +65,7 @@ pub struct Remaining {
     pub median: f64,
     /// 95th percentile.
     pub p95: f64,
-    /// Of every draw, ascending.
+    /// Of every draw, in their order: draw by draw the same drives along every path of a robot.
     pub all: Vec<f64>,
     /// 95th percentile over the draws of what is left at each station by itself, m.
     pub along: Vec<f64>,
@@ -169,9 +169,10 @@ pub fn remaining(
         gives.iter().zip(found).for_each(|(given, found)| by_station[given.station] = found);
         Ok(())
     })?;
-    all.sort_by(f64::total_cmp);
+    let mut sorted = all.clone();
+    sorted.sort_by(f64::total_cmp);
     let of = |which: usize| by_station.iter().map(|found| found[which]).collect();
-    let (median, p95) = (quantile(&all, 0.5), quantile(&all, 0.95));
+    let (median, p95) = (quantile(&sorted, 0.5), quantile(&sorted, 0.95));
     Ok(Remaining { median, p95, all, along: of(0), median_along: of(1), without: of(2) })
 }
 

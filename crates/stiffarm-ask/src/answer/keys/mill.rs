@@ -92,7 +92,7 @@ shapes! {
             ROBOT, STIFFNESS_SOURCE, PATH, FEASIBLE, REASON | null, PATH_WORST | null, WORST_TOOL | null, WORST_LINE | null,
         ],
         OF_VERDICT,
-        slots![BY_TOOL => MILLED_WITH_TOOL, REMARKS],
+        slots![PATH_COMPENSATION | null => COMPENSATED_PATH, BY_TOOL => MILLED_WITH_TOOL, REMARKS],
     ];
     MILLED_WITH_TOOL: "MilledWithTool", "What one tool of several mills.", &[
         slots![TOOL_NUMBER, TOOL], OF_MILLED, OF_LOAD, OF_QUESTION, OF_PLACE, OF_ERROR, OF_CLEARANCE, OF_VERDICT, OF_REST,

@@ -3,7 +3,8 @@
 use stiffarm::calibration::{Calibration, ControllerModel};
 use stiffarm::chain::TrueArm;
 use stiffarm::mill::{
-    ArmErrors, DrawnError, MillError, OnTrueArm, Pushed, Stand, Station, TrueOptions, WorkFrame, arm_error, on_true_arm,
+    ArmErrors, DrawnError, MillError, OnTrueArm, Pushed, RollMode, Stand, Station, TrueOptions, WorkFrame, arm_error,
+    on_true_arm,
 };
 use stiffarm::program::Controller;
 use stiffarm::robot::Robot;
@@ -141,10 +142,15 @@ impl MillAnswer {
 
     /// What a verdict is without: the geometry of an arm that was not calibrated, with its size here.
     pub(super) fn arm_note(&self) -> String {
+        let worst = self.followed().map_or(f64::INFINITY, |found| found.worst.0);
         let drawn = |found: DrawnError| {
+            // The rolls are those of the least deflection, whatever the wrist turns for it.
+            let is_of_turning = self.options.roll == RollMode::Free && worst < found.median;
+            let turning =
+                if is_of_turning { "; with --roll constant the wrist turns less, and it may be less" } else { "" };
             let [median, p95] = [found.median, found.p95].map(|metres| fixed(metres * 1e3, 2));
             format!(
-                "Along this path the geometry of a {} that was not calibrated errs by {median} mm (median), {p95} mm (95 %) on top; `stiffarm calibrate` finds it.\n",
+                "Along this path the geometry of a {} that was not calibrated errs by {median} mm (median), {p95} mm (95 %) on top; `stiffarm calibrate` finds it{turning}.\n",
                 self.robot.name
             )
         };

@@ -11,14 +11,16 @@ use super::super::{
 };
 use super::asked::Tooled;
 use super::programs::{program_of, rewritten_of};
+use super::record::compensated;
 use super::table::NOT_FOLLOWED;
-use super::{Beside, Bodies, MillAnswer, MillAnswerError};
+use super::{Beside, Bodies, Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Request, opt, tool_name};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::mill::WorkFrame;
 use stiffarm::program::Language;
 use stiffarm::robot::Robot;
 use stiffarm::toolpath::{Move, MoveKind, Original, Rewritten, Steps};
+use stiffarm::uncertainty::Spread;
 use stiffarm::watch::Watch;
 
 /// The answer of `mill` of a path with several tools.
@@ -102,19 +104,40 @@ impl ByToolAnswer {
     /// Whether the tolerance is kept by every tool; `None` where there is none, or the path is not followed.
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, (_, worst)) = self.tolerance_mm.zip(self.worst())?;
-        // The drives of a draw are the same for all sections.
-        let draws = self
-            .sections
-            .iter()
-            .map(|section| section.milled.draws.clone())
-            .reduce(|all, one| Some(all?.into_iter().zip(one?).map(|(all, one)| all.max(one)).collect()));
-        let known = draws.flatten().map(|draws| Known::of(draws, Some(tolerance)));
-        let is_of_drives_alone = self
-            .sections
-            .iter()
-            .any(|section| section.milled.verdict().is_some_and(|verdict| verdict.is_of_drives_alone));
+        let known = self.largest_drawn(|milled| milled.draws.as_ref()).map(|draws| Known::of(draws, Some(tolerance)));
         let verdict = Verdict::of(worst, tolerance).with(known.and_then(|known| known.holds));
-        Some(Verdict { is_of_drives_alone, ..verdict })
+        Some(Verdict { is_of_drives_alone: self.is_of_drives_alone(MillAnswer::verdict), ..verdict })
+    }
+
+    /// The same of what compensation leaves, the median of the draws as the nominal value.
+    fn compensated_verdict(&self) -> Option<Verdict> {
+        let (tolerance, left) = self.tolerance_mm.zip(self.drawn_left())?;
+        let known = Known::of(left, Some(tolerance));
+        let verdict = Verdict::of(known.spread.median, tolerance).with(known.holds);
+        Some(Verdict { is_of_drives_alone: self.is_of_drives_alone(MillAnswer::compensated_verdict), ..verdict })
+    }
+
+    fn is_of_drives_alone(&self, verdict: fn(&MillAnswer) -> Option<Verdict>) -> bool {
+        self.sections.iter().any(|section| verdict(&section.milled).is_some_and(|verdict| verdict.is_of_drives_alone))
+    }
+
+    /// The largest of all tools in every draw: the drives of a draw are the same for all.
+    fn largest_drawn(&self, of: impl Fn(&MillAnswer) -> Option<&Vec<f64>>) -> Option<Vec<f64>> {
+        let all = self.sections.iter().map(|section| of(&section.milled).cloned());
+        all.reduce(|all, one| Some(all?.into_iter().zip(one?).map(|(all, one)| all.max(one)).collect())).flatten()
+    }
+
+    /// What compensation leaves of the largest error of all tools, m, in every draw.
+    fn drawn_left(&self) -> Option<Vec<f64>> {
+        self.largest_drawn(|milled| Some(&milled.compensation.as_ref()?.remaining.as_ref()?.0.all))
+    }
+
+    /// What compensation makes of the path, where all of it is compensated.
+    fn compensation(&self) -> Option<Record> {
+        let all: Option<Vec<&Compensation>> =
+            self.sections.iter().map(|section| section.milled.compensation.as_ref()).collect();
+        let all = all.filter(|all| !all.is_empty())?;
+        Some(compensated(all.into_iter(), self.drawn_left().map(Spread::of), self.compensated_verdict()))
     }
 
     /// Why there is no answer, where there is none: of the first tool that does not follow its part of the path.
@@ -125,7 +148,13 @@ impl ByToolAnswer {
     /// Why the answer is no, where it is.
     pub fn shortfall(&self) -> Option<String> {
         let of = |section: &Section| Some(format!("T{}, {}", section.tool, section.milled.shortfall()?));
-        self.sections.iter().find_map(of)
+        let together = || {
+            let (tolerance, verdict) = self.tolerance_mm.zip(self.compensated_verdict())?;
+            let left = fixed(tolerance - verdict.margin_mm, 4);
+            (!verdict.passes)
+                .then(|| format!("{left} mm left after compensation, of all tools; tolerance {tolerance} mm"))
+        };
+        self.sections.iter().find_map(of).or_else(together)
     }
 
     /// Every field but those of single samples.
@@ -147,6 +176,7 @@ impl ByToolAnswer {
             .put(field::WORST_LINE, line);
         verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
         record
+            .put(field::PATH_COMPENSATION, self.compensation())
             .put(field::BY_TOOL, self.sections.iter().map(Section::record).collect::<Datum>())
             .put(field::REMARKS, json!(self.remarks));
         record
@@ -174,6 +204,8 @@ impl ByToolAnswer {
     pub fn table(&self) -> Table {
         let mut headings = vec!["tool", "from line", "process", "tip in the flange [mm]", "largest error [mm]", "line"];
         headings.extend(self.tolerance_mm.map(|_| "verdict"));
+        let with_compensation = self.tolerance_mm.filter(|_| self.drawn_left().is_some());
+        headings.extend(with_compensation.map(|_| "verdict, compensated"));
         let mut table = Table::new(headings);
         let line = |milled: &MillAnswer, at: usize| milled.stations.get(at).map_or(0, |station| station.sample.line);
         for Section { tool, milled } in &self.sections {
@@ -188,7 +220,9 @@ impl ByToolAnswer {
                 || ["not followed".into(), "-".into()],
                 |found| [fixed(found.worst.0 * 1e3, 4), line(milled, found.worst.1).to_string()],
             ));
-            cells.extend(self.tolerance_mm.map(|_| milled.verdict().map_or_else(|| "-".into(), Verdict::in_words)));
+            let in_words = |verdict: Option<Verdict>| verdict.map_or_else(|| "-".into(), Verdict::in_words);
+            cells.extend(self.tolerance_mm.map(|_| in_words(milled.verdict())));
+            cells.extend(with_compensation.map(|_| in_words(milled.compensated_verdict())));
             table.row(cells);
         }
         Table { lead: Some(self.lead()), ..table }
@@ -209,11 +243,12 @@ impl ByToolAnswer {
     /// What stands below the tables.
     pub fn notes(&self) -> String {
         let mut notes = self.reason().map_or_else(String::new, |reason| format!("not followed: {reason}\n"));
-        let verdict = self.tolerance_mm.zip(self.verdict());
-        notes.extend(
-            verdict
-                .map(|(tolerance, verdict)| format!("tolerance {tolerance} mm, all tools: {}\n", verdict.in_words())),
-        );
+        for (verdict, what) in [(self.verdict(), ""), (self.compensated_verdict(), ", compensated")] {
+            let judged = self.tolerance_mm.zip(verdict);
+            notes.extend(judged.map(|(tolerance, verdict)| {
+                format!("tolerance {tolerance} mm, all tools{what}: {}\n", verdict.in_words())
+            }));
+        }
         notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
         notes.extend(self.sections.first().map(|first| first.milled.notes()));
         notes

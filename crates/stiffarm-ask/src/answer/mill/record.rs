@@ -12,6 +12,7 @@ use stiffarm::clearance::Near;
 use stiffarm::limits::Pendant;
 use stiffarm::mill::{Acting, FedBack, Pushed, Stand, Station};
 use stiffarm::robot::Arm;
+use stiffarm::uncertainty::Spread;
 
 impl MillAnswer {
     /// Every field but those of single samples.
@@ -55,7 +56,10 @@ impl MillAnswer {
             .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
         Self::put_clearance(Some(self), &mut record);
         verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
-        let compensated = |compensation| compensated(compensation, self.compensated_verdict());
+        let compensated = |one: &Compensation| {
+            let spread = one.remaining.as_ref().map(|(left, _)| Spread::of(left.all.clone()));
+            compensated(std::iter::once(one), spread, self.compensated_verdict())
+        };
         record
             .put(field::FED_BACK, self.fed_back.as_ref().map(fed_back))
             .put(field::PATH_CHATTER, self.chatter_record())
@@ -256,20 +260,26 @@ fn fed_back(found: &FedBack) -> Record {
     record
 }
 
-/// What is commanded, and what is left.
-fn compensated(Compensation { done, remaining }: &Compensation, verdict: Option<Verdict>) -> Record {
-    let residual = remaining.as_ref().map(|(remaining, _)| remaining);
+/// What is commanded along a path, or along all sections of one, and what is left.
+pub(super) fn compensated<'a>(
+    all: impl Iterator<Item = &'a Compensation> + Clone,
+    spread: Option<Spread>,
+    verdict: Option<Verdict>,
+) -> Record {
+    let largest = |of: fn(&Compensation) -> f64| all.clone().map(of).fold(0.0, f64::max);
+    let by_tips = largest(|one| one.done.by_tips());
+    let mut remaining = all.clone().filter_map(|one| one.remaining.as_ref());
     let mut record = Record::of(&shape::COMPENSATED_PATH);
     record
-        .put(field::LARGEST_CORRECTION, done.largest)
-        .put(field::LEFT_BY_JOINTS, done.by_joints)
-        .put(field::LEFT_BY_TIPS, Some(done.by_tips()).filter(|left| left.is_finite()))
-        .put(field::LEFT_MEDIAN, residual.map(|residual| residual.median))
-        .put(field::LEFT_P95, residual.map(|residual| residual.p95))
-        .put(field::UNCERTAIN, remaining.as_ref().map(|(_, who)| who))
+        .put(field::LARGEST_CORRECTION, largest(|one| one.done.largest))
+        .put(field::LEFT_BY_JOINTS, largest(|one| one.done.by_joints))
+        .put(field::LEFT_BY_TIPS, Some(by_tips).filter(|left| left.is_finite()))
+        .put(field::LEFT_MEDIAN, spread.map(|spread| spread.median))
+        .put(field::LEFT_P95, spread.map(|spread| spread.p95))
+        .put(field::UNCERTAIN, remaining.next().map(|(_, who)| who))
         .put(field::VERDICT, verdict.map(Verdict::word))
         .put(field::PROBABILITY, verdict.and_then(|verdict| verdict.probability))
-        .put(field::BEYOND_LIMITS, done.beyond.len());
+        .put(field::BEYOND_LIMITS, all.map(|one| one.done.beyond.len()).sum::<usize>());
     record
 }
 

@@ -65,7 +65,8 @@ class Chatter(Table[types.ChatterDict]):
     """Axial depth of the cut, as the process has it."""
 
     entry_deg: float
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+    """Where a tooth enters, in the sense of the rotation from the left of the feed, of a spindle that turns
+    counter-clockwise from its right."""
 
     exit_deg: float
     """Where a tooth leaves."""
@@ -94,7 +95,8 @@ class Chatter(Table[types.ChatterDict]):
     """By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives."""
 
     any_speed_depth_mm: float | None
-    """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
+    """Less deep no speed swings, by the mean of the teeth, and never deeper than critical_depth_mm; null where
+    none up to 300 mm does."""
 
     any_speed_depth_mm_p05: float | None
     """5th percentile over the same draws."""

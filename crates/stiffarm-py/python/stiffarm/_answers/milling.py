@@ -64,7 +64,8 @@ class Force(Table[types.ForceDict]):
     """Speed of the spindle."""
 
     entry_deg: float | None
-    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+    """Where a tooth enters, in the sense of the rotation from the left of the feed, of a spindle that turns
+    counter-clockwise from its right."""
 
     exit_deg: float | None
     """Where a tooth leaves."""
