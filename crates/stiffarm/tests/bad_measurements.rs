@@ -79,6 +79,18 @@ fn every_fault_is_named_with_its_row_and_column() {
         (String::new(), "t.csv:1: the table is empty; expected a line of headings"),
         (table(&format!("{HEAD},sigma_mm"), &[&format!("{},0", ROWS[0])]), "t.csv:2: row 1, sigma_mm: is not positive"),
         (
+            table(&format!("{HEAD},sigma_um"), &[&format!("{},5", ROWS[0])]),
+            "t.csv:1: sigma_um: in another unit; expected sigma_mm",
+        ),
+        (
+            table(&format!("{HEAD},marker_x_m"), &[&format!("{},5", ROWS[0])]),
+            "t.csv:1: marker_x_m: in another unit; expected marker_x_mm",
+        ),
+        (
+            table(&format!("{HEAD},mx_knm"), &[&format!("{},5", ROWS[0])]),
+            "t.csv:1: mx_knm: in another unit; expected mx_nm",
+        ),
+        (
             table(&format!("{HEAD},load_x_mm"), &[&format!("{},0", ROWS[0])]),
             "t.csv:1: load_y_mm: the column is missing",
         ),

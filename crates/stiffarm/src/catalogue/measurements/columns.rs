@@ -8,6 +8,19 @@ use super::super::reader::shown;
 
 /// Columns of tables to be filled in that say nothing of what was measured.
 pub(crate) const PASSED_OVER: [&str; 5] = ["run", "load", "expected_mm", "remark", "time"];
+/// Quantities that may be left out, each with the one unit in which they are read.
+const IN_ONE_UNIT: [(&str, &str); 10] = [
+    ("sigma", "mm"),
+    ("load_x", "mm"),
+    ("load_y", "mm"),
+    ("load_z", "mm"),
+    ("marker_x", "mm"),
+    ("marker_y", "mm"),
+    ("marker_z", "mm"),
+    ("mx", "nm"),
+    ("my", "nm"),
+    ("mz", "nm"),
+];
 /// Longer tables are no measurements of a robot.
 const MOST_ROWS: usize = 200_000;
 
@@ -104,6 +117,7 @@ impl Finder<'_> {
             self.fault(twice.clone(), "stands twice; expected each column once".into());
             return None;
         }
+        self.check_units();
         let degrees = self.has(&["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]);
         let radians = self.has(&["q1_rad", "q2_rad", "q3_rad", "q4_rad", "q5_rad", "q6_rad"]);
         let q = match (degrees, radians) {
@@ -136,6 +150,17 @@ impl Finder<'_> {
             marker_at: marker_at?,
             sigma: self.position("sigma_mm"),
         })
+    }
+
+    /// That what may be left out is not there in another unit, in which it would be passed over.
+    fn check_units(&mut self) {
+        for (stem, unit) in IN_ONE_UNIT {
+            let other =
+                |name: &str| name.strip_prefix(stem)?.strip_prefix('_').filter(|ending| *ending != unit).map(|_| ());
+            if let Some(name) = self.names.iter().find(|name| other(name).is_some()) {
+                self.fault(shown(name), format!("in another unit; expected {stem}_{unit}"));
+            }
+        }
     }
 
     fn moved(&mut self) -> Option<(Option<Three>, (&'static str, f64))> {
