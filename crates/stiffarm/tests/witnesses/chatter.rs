@@ -23,9 +23,9 @@ fn cut(milling: &Milling, rpm: f64) -> Cut {
     Cut { milling: milling.clone(), spindle: rpm * TAU / 60.0 }
 }
 
-/// Half immersion down of the TX200's milling task.
+/// Half immersion down of the TX200's milling task, worked out apart with an axial force that pushes the tool off the work.
 fn task() -> Milling {
-    mill(4, 0.02, [FRAC_PI_2, PI], [1930.4e6, 1159.6e6, 200.6e6])
+    mill(4, 0.02, [FRAC_PI_2, PI], [1930.4e6, 1159.6e6, -200.6e6])
 }
 
 /// Its arm in the frame of the work, feed along x, which is Rz(-90 deg) of the base.
@@ -127,13 +127,13 @@ type State = [f64; 2 * MOST];
 fn growth_in_time(motion: &Motion, milling: &Milling, rpm: f64, depth: f64) -> f64 {
     const STEPS: usize = 200;
     const TEETH: usize = 180;
-    let [kt, kr] = match milling.edge {
-        Edge::Linear { chip: [t, r, _], .. } => [t, r],
+    let [kt, kr, ka] = match milling.edge {
+        Edge::Linear { chip, .. } => chip,
         Edge::Power { .. } => panic!("linear"),
     };
     let n = motion.own.len();
-    let shape: [[f64; MOST]; 2] =
-        [0, 1].map(|axis| std::array::from_fn(|i| if i < n { motion.tip[(axis, i)] } else { 0.0 }));
+    let shape: [[f64; MOST]; 3] =
+        [0, 1, 2].map(|axis| std::array::from_fn(|i| if i < n { motion.tip[(axis, i)] } else { 0.0 }));
     let stiff: [f64; MOST] = std::array::from_fn(|i| if i < n { motion.own[i].powi(2) } else { 1.0 });
     let damped: [f64; MOST] = std::array::from_fn(|i| if i < n { motion.friction[(i, i)] } else { 1.0 });
     let period = 60.0 / (rpm * milling.teeth as f64);
@@ -144,7 +144,7 @@ fn growth_in_time(motion: &Motion, milling: &Milling, rpm: f64, depth: f64) -> f
     let rate = |z: &State, time: f64, before: [f64; 2]| -> State {
         let now = tip(&z[..MOST]);
         let off = [now[0] - before[0], now[1] - before[1]];
-        let mut force = [0.0; 2];
+        let mut force = [0.0; 3];
         for tooth in 0..milling.teeth {
             let phi = (TAU * (time / period + tooth as f64) / milling.teeth as f64).rem_euclid(TAU);
             if milling.engagement.entry() < phi && phi < milling.engagement.exit() {
@@ -152,11 +152,14 @@ fn growth_in_time(motion: &Motion, milling: &Milling, rpm: f64, depth: f64) -> f
                 let chip = depth * (s * off[0] + c * off[1]);
                 force[0] += chip * (-kt * c - kr * s);
                 force[1] += chip * (kt * s - kr * c);
+                force[2] -= chip * ka;
             }
         }
         std::array::from_fn(|i| match i.checked_sub(MOST) {
             None => z[MOST + i],
-            Some(i) => shape[0][i] * force[0] + shape[1][i] * force[1] - stiff[i] * z[i] - damped[i] * z[MOST + i],
+            Some(i) => {
+                (0..3).map(|axis| shape[axis][i] * force[axis]).sum::<f64>() - stiff[i] * z[i] - damped[i] * z[MOST + i]
+            }
         })
     };
     let ahead = |z: &State, k: &State, by: f64| -> State { std::array::from_fn(|i| z[i] + by * k[i]) };

@@ -260,7 +260,27 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
     let by_hand = "damping_ratio;freq_hz;stiffness_n_per_m;ux;uy;uz;note\n# tapped\n0.25;420;3e7;-1;2;0.5;b\n0.25;300;2e7;2;1;0;a\n";
     let file = read(by_hand).unwrap();
     assert_eq!(file.response, Response::of_modes(&modes));
-    assert_eq!(file.remarks, ["column note is ignored"]);
+    let [ignored, scaled] = file.remarks.as_slice() else { panic!("{:?}", file.remarks) };
+    assert_eq!(ignored, "column note is ignored");
+    // The length of (-1, 2, 0.5).
+    assert!(scaled.starts_with("line 3: ux, uy, uz are 2.291 long and taken as a direction alone"), "{scaled}");
+    // The same answer whichever of two places is tapped: a sign of one of them is not.
+    let crossed = [TWO, &["gxy_re", "gxy_im", "gyx_re", "gyx_im"]].concat();
+    let with_sign = |sign: f64| {
+        table(20.0, &crossed, |hertz| {
+            let mut found = of(hertz);
+            found[(1, 0)] *= Complex::new(sign, 0.0);
+            found
+        })
+    };
+    for (sign, differs) in [(1.0, false), (-1.0, true)] {
+        let remarks = read(&with_sign(sign)).unwrap().remarks;
+        assert_eq!(
+            remarks.iter().any(|one| one.contains("gxy and gyx, or another such pair, differ by")),
+            differs,
+            "{remarks:?}"
+        );
+    }
 
     let good = table(20.0, TWO, of);
     let conjugated = table(20.0, TWO, |hertz| of(hertz).conjugate());

@@ -220,7 +220,7 @@ fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_reported() {
     close(all.reserve, depth(answer.at_speed) / answer.cut.milling.engagement.depth(), 1e-9);
     // Margins and what stands about take rolls away.
     let usual = path.chatter(&process).deepest.unwrap();
-    assert!(depth(usual.edge) <= most);
+    assert!(depth(usual.edge) <= most * (1.0 + 1e-12), "{usual:?} {most}");
 }
 
 #[test]
