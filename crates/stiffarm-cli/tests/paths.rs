@@ -176,7 +176,7 @@ fn a_process_is_reported_with_its_figure() {
     let pi = std::f64::consts::PI;
     close(&answer["mean_n"][0], -8.0 * 16.88 / 4.0 - 8.0 * 26.6 / pi, 1e-9);
     close(&answer["mean_n"][1], 8.0 * 76.701 / 4.0 + 8.0 * 27.7 / pi, 1e-9);
-    close(&answer["mean_n"][2], 8.0 * 22.2 / pi + 8.0 * 0.7 / 2.0, 1e-9);
+    close(&answer["mean_n"][2], -8.0 * 22.2 / pi - 8.0 * 0.7 / 2.0, 1e-9);
     close(&answer["exit_deg"], 180.0, 1e-9);
     close(&answer["power_w"], answer["moment_nm"].as_f64().unwrap() * 400.0 * pi, 1e-9);
     assert_eq!(answer["material_status"], "published");

@@ -130,8 +130,9 @@ fn a_path_that_its_arm_may_miss_is_not_sure_on_any_face() {
         assert!(text.contains(says), "{says}: {text}");
     }
     assert!(page(&asked).contains("<strong class=\"word\">pass, not sure</strong>"));
-    // The deflection, 0.1385 mm, and what the geometry errs by in the median, 0.8632 mm, are kept for sure together.
-    for (tolerance, verdict) in [("0.9", "pass, not sure"), ("1.0", "pass, not sure"), ("1.01", "pass"), ("2", "pass")]
+    // The deflection, 0.1351 mm, and what the geometry errs by in the median, 0.7974 mm, are kept for sure together.
+    for (tolerance, verdict) in
+        [("0.85", "pass, not sure"), ("0.93", "pass, not sure"), ("0.94", "pass"), ("2", "pass")]
     {
         let answer = json(&[&mill[..], &["--at", "0.975,0,0.9", "--tolerance-mm", tolerance]].concat());
         assert_eq!(answer["verdict"], verdict, "{tolerance}");
@@ -149,6 +150,33 @@ fn a_tool_is_compared_with_the_payload() {
         assert!(text.contains("KUKA KR 210 R2700 extra (payload 210 kg)"), "{text}");
         assert!(text.contains("1 urad/(N m) assumed on every drive, zones upright in the arm plane"), "{text}");
     }
+}
+
+/// Who may not carry the tool wins nothing, ties with nobody and passes nothing; both verbs say who, and what is too much.
+#[test]
+fn a_robot_that_may_not_carry_the_tool_is_not_to_be_taken() {
+    let asked = "--model spatial --task rect:0.35x0.25 --tool spindle:250@90 --force-n 100,120,60 --tolerance-mm 0.5 --within 1.0..2.4,0.7..1.1";
+    let weighs = |kg: &str| format!("{asked} --tool-mass-kg {kg} --tool-com-mm 0,0,300");
+    let words = |verb: &[&str], more: &str| {
+        let all: Vec<&str> = verb.iter().copied().chain(more.split_whitespace()).collect();
+        run(&all).1
+    };
+    let ranked = ["rank", "--robots", "KR 210 R2700-2,KR 120 R2700-2,KR 60-3"];
+    let heavy = words(&ranked, &weighs("150"));
+    assert_eq!(heavy.matches(" LOAD EXCEEDED").count(), 2, "{heavy}");
+    let said = heavy.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("take KUKA KR 210 R2700-2") && !said.contains("robots tie"), "{said}");
+    assert!(
+        said.contains("2 more keep it and are not to be taken: KR 120 R2700-2 (payload 120 kg: EXCEEDED"),
+        "{said}"
+    );
+    let light = words(&ranked, &weighs("20"));
+    assert!(!light.contains("LOAD EXCEEDED") && light.contains("tie"), "{light}");
+    let compared = ["compare", "KR 210 R2700-2", "KR 120 R2700-2"];
+    let heavy = words(&compared, &weighs("150")).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(heavy.contains("B (KUKA KR 120 R2700-2) may not carry this (payload 120 kg: EXCEEDED"), "{heavy}");
+    assert!(heavy.contains("it is not to be chosen") && !heavy.contains("A (KUKA KR 210 R2700-2) may not"), "{heavy}");
+    assert!(!words(&compared, &weighs("20")).contains("may not carry"));
 }
 
 /// What a calibration leaves stands beside the deflection: together they keep the tolerance, or it is not sure.
@@ -311,8 +339,8 @@ fn a_plan_says_what_decides_it_and_repeats_no_posture_often() {
 #[test]
 fn what_keeping_clear_of_wide_bodies_costs_is_told() {
     let mill = ["mill", "line:0.3", "--robot", "KUKA KR 120 R2500 pro", "--tool", "spindle:250@90"];
-    let asked = [&mill[..], &["--process", "docs/examples/endmill.toml", "--at", "1.4,0,0.7"]].concat();
-    let beside = [&asked[..], &["--keep-out", "1.8..3,-2..2,1.1..3"]].concat();
+    let asked = [&mill[..], &["--process", "docs/examples/endmill.toml", "--at", "1.4,0,0.8"]].concat();
+    let beside = [&asked[..], &["--keep-out", "1.7..3,-2..2,1.1..3"]].concat();
     let number = |answer: &Value, key: &str| answer[key].as_f64().unwrap_or_else(|| panic!("{key}: {answer}"));
     let [alone, clear] = [&asked, &beside].map(|asked| json(asked));
     let [best, told] = [number(&alone, "worst_mm"), number(&clear, "error_without_wide_mm")];

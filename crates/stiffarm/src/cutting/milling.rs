@@ -331,14 +331,14 @@ mod tests {
         assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= within * scale), "{a:?} is not {b:?}");
     }
 
-    /// The four lines of every textbook: N a K c / 4 and so on, here in N and mm.
+    /// The four lines of every textbook: N a K c / 4 and so on, here in N and mm, and along the axis away from the work.
     #[test]
     fn a_slot_is_as_by_hand() {
         let (n, a, c) = (4.0, 2.0, 0.1);
         let by_hand = [
             -n * a * 168.8 * c / 4.0 - n * a * 26.6 / PI,
             n * a * 767.01 * c / 4.0 + n * a * 27.7 / PI,
-            n * a * 222.0 * c / PI + n * a * 0.7 / 2.0,
+            -n * a * 222.0 * c / PI - n * a * 0.7 / 2.0,
         ];
         let found = mill(Side::Slot, 0.016, 0.0, LINEAR).force(1.0).unwrap();
         close(&found.mean.unwrap(), &by_hand, 1e-13);

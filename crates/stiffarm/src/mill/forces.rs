@@ -658,7 +658,7 @@ mod tests {
         let part = Vector3::new(10.0, 20.0, 30.0);
         assert!((turned[0] - part.dot(&feed)).abs() < 1e-12 && (turned[1] - part.dot(&left)).abs() < 1e-12);
         assert!((turned[2] - 30.0).abs() < 1e-12);
-        assert!(narrow[2] < 0.5 * whole[2]);
+        assert!(0.5 * whole[2] < narrow[2] && narrow[2] < 0.0);
     }
 
     /// Along the edge of a block half of the mill is in the work, beyond it nothing: by hand.

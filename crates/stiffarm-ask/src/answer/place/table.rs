@@ -70,7 +70,8 @@ impl PlaceAnswer {
         match options.cell {
             None => {
                 let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
-                vec![line("allowed place", allowed)]
+                let turned = if self.is_turned() { ", at any bearing about the joint-1 axis" } else { "" };
+                vec![line("allowed place", format!("{allowed}{turned}"))]
             }
             Some(cell) => {
                 let lines = cell_report::lines(&cell, &options.within(model)).into_iter();
@@ -164,9 +165,15 @@ impl PlaceAnswer {
         )
     }
 
+    /// The zone stands about the joint-1 axis from where its centre is told.
+    fn is_turned(&self) -> bool {
+        self.best().and_then(Placement::space).is_some_and(|hold| hold.bearing != 0.0)
+    }
+
     /// What the line is called that says where it stands.
     fn centre_label(&self, best: &Placement) -> String {
-        format!("{} from {}", centre(best), words::origin(&self.robot))
+        let turned = if self.is_turned() { ", before it is turned" } else { "" };
+        format!("{} from {}{turned}", centre(best), words::origin(&self.robot))
     }
 
     /// What the lower bound is called, by what it is of.

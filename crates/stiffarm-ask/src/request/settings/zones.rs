@@ -247,7 +247,7 @@ pub(super) const ROWS: &[Setting] = &[
         absent: Absent::Means("in front of the joint-1 axis, above the floor"),
         count: count_of(1, MOST_BLOCKS, "windows", "at most eight"),
         needs: A_ZONE,
-        help: "Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor",
+        help: "Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 with x from the joint-1 axis in any direction about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor",
         example: "1.0..,0.5..2",
         ..ROW
     }),
