@@ -117,6 +117,20 @@ impl Rows<'_> {
         self.problem(precision(prior, noise), &chain).normal(rows, state)
     }
 
+    /// How many coordinates more there are than what was fitted, where so many parameters are shown.
+    fn spare(&self, rows: &[Linear], shown: f64) -> f64 {
+        let is_oriented = self.sights.iter().any(|sight| sight.orientation.is_some());
+        let flat = 6 * self.stands + 3 * self.points + if is_oriented { 3 } else { 0 };
+        (coordinates(rows) as f64 - flat as f64 - shown).max(1.0)
+    }
+
+    /// The same in parts of all coordinates, about a state.
+    pub(super) fn spare_share(&self, rows: &[Linear], state: &State, given: (&[f64], f64)) -> Option<f64> {
+        let (h, _) = self.normal(rows.iter(), state, given);
+        let shown: f64 = shares(&h.cholesky()?.inverse(), given.0, given.1).iter().sum();
+        Some(self.spare(rows, shown) / coordinates(rows) as f64)
+    }
+
     /// The posterior of a level, from a state near it; scale and noise by the fixed point of their evidence.
     pub(super) fn fitted(&self, level: Option<Level>, start: &State, noise: f64) -> Option<Fitted> {
         const ROUNDS: usize = 12;
@@ -133,21 +147,10 @@ impl Rows<'_> {
             state = next;
             let (h, _) = self.normal(rows.iter(), &state, (&prior, noise));
             let inverse = h.clone().cholesky()?.inverse();
-            let first = h.nrows() - ALL;
-            let share: Vec<f64> = (0..ALL)
-                .map(|i| {
-                    if 0.0 < prior[i] {
-                        1.0 - (noise / prior[i]).powi(2) * inverse[(first + i, first + i)]
-                    } else {
-                        0.0
-                    }
-                })
-                .collect();
+            let share = shares(&inverse, &prior, noise);
             let shown: f64 = share.iter().sum();
             let squares: f64 = rows.iter().map(|row| row.residual.component_mul(&row.residual).dot(&row.weight)).sum();
-            let count: usize = rows.iter().map(|row| row.residual.len()).sum();
-            let flat = first - if self.sights.iter().any(|sight| sight.orientation.is_some()) { 0 } else { 3 };
-            let spare = (count as f64 - flat as f64 - shown).max(1.0);
+            let spare = self.spare(&rows, shown);
             let next_noise = (squares / spare).sqrt().max(LEAST_NOISE);
             let frames: f64 = state.parameters[..FRAMES].iter().map(|x| x * x).sum();
             let seen: f64 = share[..FRAMES].iter().sum();
@@ -163,6 +166,19 @@ impl Rows<'_> {
     }
 }
 
+/// What the data show of each parameter, by the inverse of `H`: one less posterior over prior.
+fn shares(inverse: &DMatrix<f64>, prior: &[f64], noise: f64) -> Vec<f64> {
+    let first = inverse.nrows() - ALL;
+    let share = |(i, tau): (usize, &f64)| {
+        if 0.0 < *tau { 1.0 - (noise / tau).powi(2) * inverse[(first + i, first + i)] } else { 0.0 }
+    };
+    prior.iter().enumerate().map(share).collect()
+}
+
+fn coordinates(rows: &[Linear]) -> usize {
+    rows.iter().map(|row| row.residual.len()).sum()
+}
+
 /// `sigma^2 / tau^2`; infinite where a parameter is held.
 fn precision(prior: &[f64], noise: f64) -> Vec<f64> {
     prior.iter().map(|tau| if *tau == 0.0 { f64::INFINITY } else { (noise / tau).powi(2) }).collect()
@@ -170,7 +186,7 @@ fn precision(prior: &[f64], noise: f64) -> Vec<f64> {
 
 /// `-1/2 [ sum w r^2 / s^2 + sum x^2 / tau^2 + N ln s^2 + sum ln tau^2 + ln det (H / s^2) - sum ln w ]` (Laplace), what is held left out.
 fn evidence(h: &DMatrix<f64>, (state, prior, noise): (&State, &[f64], f64), (squares, rows): (f64, &[Linear])) -> f64 {
-    let count: usize = rows.iter().map(|row| row.residual.len()).sum();
+    let count = coordinates(rows);
     let weights: f64 = rows.iter().flat_map(|row| row.weight.iter()).map(|weight| weight.ln()).sum();
     let known = prior.iter().zip(&state.parameters).filter(|(tau, _)| 0.0 < **tau);
     let (of_prior, scales) =

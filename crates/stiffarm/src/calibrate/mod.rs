@@ -2,13 +2,14 @@
 //!
 //! Errors of the joints' frames, of drives under the arm's own weight and of gears have normal priors; their modes are found
 //! by least squares with Student's weights, the scale of the frames' errors and the noise by their evidence. What the postures do not show keeps
-//! its prior. Rows that are wrong are named and left out. The own weight, of a base that stands on a floor, has terms of its own, of which nothing is
+//! its prior. Rows that are wrong are named and left out, judged by the level that explains the table best. The own weight, of a base that stands on a floor, has terms of its own, of which nothing is
 //! a stiffness; where the arm's masses are known, it is also tried with the compliances of the drives as all that is unknown, and the
 //! evidence decides which of the two explains what was measured.
 
 mod at_work;
 mod drives;
 mod fit;
+mod judged;
 mod left_out;
 mod level;
 mod moved;
@@ -29,7 +30,9 @@ use crate::watch::{Stopped, Watch};
 pub use at_work::AtWork;
 use drives::DrivesPrior;
 use fit::{Fitted, Rows};
+use judged::Question;
 pub use level::{GEARS_PRIOR, Level, WEIGHT_PRIOR};
+use robust::Sound;
 pub use robust::WrongRow;
 
 /// So few postures fit any frames.
@@ -227,48 +230,38 @@ pub fn calibrate(
         let suspect = suspects::suspect(&arm, &sights, shape, (start.1, &lines));
         return Err(CalibrateError::NotThisArm { median_mm: start.1 * 1e3, suspect });
     }
-    let as_drawn = start.1;
-    let sound = robust::sound(&arm, sights.clone(), shape, start);
-    watch.go_on()?;
-    let of: usize = sights.iter().map(|sight| sight.points.iter().flatten().count()).sum();
-    let rows_of = |arm, drives, sights: &[Sight]| Rows {
-        arm,
-        drives,
-        sights: sights.to_vec(),
-        stands: shape.0,
-        points: shape.1,
-        lever: sound.lever,
+    let (start, as_drawn) = start;
+    let weighed = DrivesPrior::of(robot).and_then(|prior| prior.weighed(robot, &arm));
+    let question = Question {
+        arm: &arm,
+        weighed: weighed.as_ref().map(|(weighed, prior)| (weighed, prior.sd)),
+        sights: &sights,
+        shape,
+        watch,
     };
-    // Of all rows: those before it or from it on may be too few to be right.
-    let every = rows_of(&arm, None, &sound.every);
-    let of_every = every.fitted(Some(Level::Weight), &sound.state, sound.noise).ok_or(CalibrateError::Undetermined)?;
-    let moved = moved::moved(&every, &of_every).map(|(row, far)| (lines[row], far));
-    if robust::MOST_WRONG * (of as f64) < sound.wrong.len() as f64 {
+    let sound = question.sound(start, as_drawn);
+    watch.go_on()?;
+    let moved = question.moved(&sound)?.map(|(row, far)| (lines[row], far));
+    let of: usize = sights.iter().map(|sight| sight.points.iter().flatten().count()).sum();
+    let is_too_much = |sound: &Sound| {
+        if sound.wrong.len() as f64 <= robust::MOST_WRONG * of as f64 {
+            return Ok(());
+        }
         let suspect = suspects::suspect(&arm, &sights, shape, (as_drawn, &lines));
         let suspect = suspect.or_else(|| moved.map(|(line, _)| suspects::moved_near(line)));
-        return Err(CalibrateError::TooManyWrong { wrong: sound.wrong.len(), of, suspect });
-    }
-    let weighed = DrivesPrior::of(robot).and_then(|prior| prior.weighed(robot, &arm));
-    let by_terms = rows_of(&arm, None, &sound.sights);
-    let by_masses = weighed.as_ref().map(|(weighed, prior)| rows_of(weighed, Some(prior.sd), &sound.sights));
-    let levels = std::iter::once(None).chain(Level::ALL.map(Some)).map(|level| (&by_terms, level));
-    let of_masses = by_masses.iter().flat_map(|rows| [Level::Weight, Level::Gears].map(|level| (rows, Some(level))));
-    let mut fits = Vec::new();
-    for (rows, level) in levels.chain(of_masses) {
-        watch.go_on()?;
-        let fitted = rows.fitted(level, &sound.state, sound.noise).ok_or(CalibrateError::Undetermined)?;
-        let out = left_out::left_out(rows, &fitted);
-        fits.push((rows, fitted, out));
-    }
-    let asked = fits.iter().filter(|(_, fitted, _)| {
-        fitted.level.is_some() && options.level.is_none_or(|level| fitted.level == Some(level))
-    });
-    let best = asked.max_by(|(_, a, _), (_, b, _)| a.evidence.total_cmp(&b.evidence));
-    let (rows, best, out) = best.ok_or(CalibrateError::Undetermined)?;
-    let at_work = at_work::at_work(rows, best, *out, (limits, &options.work))?;
+        Err(CalibrateError::TooManyWrong { wrong: sound.wrong.len(), of, suspect })
+    };
+    let judged = question.judged(sound, &is_too_much)?;
+    let taken = judged.best(options.level).ok_or(CalibrateError::Undetermined)?;
+    let (rows, best) = (judged.rows(taken), &judged.fits[taken]);
+    let out: Vec<Option<f64>> =
+        judged.fits.iter().enumerate().map(|(i, fitted)| left_out::left_out(judged.rows(i), fitted)).collect();
+    let at_work = at_work::at_work(rows, best, out[taken], (limits, &options.work))?;
     let deviation: Vec<f64> = (0..chain::ALL).map(|i| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt()).collect();
-    let weighed = weighed.as_ref().filter(|_| rows.drives.is_some());
-    let drives = weighed.map(|(_, prior)| prior.updated(&best.state.parameters, &deviation));
+    let drives = weighed
+        .as_ref()
+        .filter(|_| rows.drives.is_some())
+        .map(|(_, prior)| prior.updated(&best.state.parameters, &deviation));
     let errors_of = |parameters: &[f64]| match drives {
         // The parameters of weight are those of the drives.
         Some(_) => Errors { weight: Errors::NONE.weight, ..Errors::of(parameters) },
@@ -277,17 +270,17 @@ pub fn calibrate(
     let compliance = drives.map(|drives| drives.map(|drive| drive.posterior));
     Ok(Calibrated {
         level: best.level.ok_or(CalibrateError::Undetermined)?,
-        levels: fits.iter().map(|(rows, fitted, out)| level_fit(rows, fitted, *out)).collect(),
+        levels: (0..out.len()).map(|i| level_fit(judged.rows(i), &judged.fits[i], out[i])).collect(),
         errors: Errors { drives: compliance, ..errors_of(&best.state.parameters) },
         drives,
-        has_masses: by_masses.is_some(),
+        has_masses: question.weighed.is_some(),
         deviations: errors_of(&deviation),
         shown: errors_of(&best.share),
-        wrong_rows: wrong_rows(&sound.wrong, &sights, &lines),
+        wrong_rows: robust::wrong_rows(&judged.left_out(taken, &sights), &sights, &lines),
         moved,
         tracker_in_base: best.state.bases.iter().map(Pose::inverse).collect(),
         points: best.state.points.clone(),
-        rows: offs((&fits[0].1, best), &sound.index, &lines),
+        rows: offs((&judged.fits[0], best), &judged.sound.index, &lines),
         narrow: narrow(&sights, limits),
         at_work,
         controller: options.controller,
@@ -343,21 +336,6 @@ fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
         evidence: fitted.evidence,
         shown: fitted.shown,
     }
-}
-
-/// Points of a row that all are wrong are reported as one.
-fn wrong_rows(wrong: &[(usize, usize, f64)], sights: &[Sight], lines: &[usize]) -> Vec<WrongRow> {
-    let mut found: Vec<WrongRow> = Vec::new();
-    for (row, point, distance) in wrong {
-        let of_row = wrong.iter().filter(|(other, _, _)| other == row);
-        let is_whole = of_row.count() == sights[*row].points.iter().flatten().count();
-        let line = lines[*row];
-        match found.last_mut().filter(|last| is_whole && last.line == line) {
-            Some(last) => last.distance = last.distance.max(*distance),
-            None => found.push(WrongRow { line, point: if is_whole { 0 } else { point + 1 }, distance: *distance }),
-        }
-    }
-    found
 }
 
 fn offs((before, after): (&Fitted, &Fitted), index: &[usize], lines: &[usize]) -> Vec<Off> {

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::fit::Rows;
-use super::level::Level;
 use crate::chain::Frames;
 use crate::parallel;
 use crate::registration::{Linear, Sight, State};
@@ -26,7 +25,7 @@ pub struct WrongRow {
     pub line: usize,
     /// Which point, from 1; 0 where all of the row is wrong.
     pub point: usize,
-    /// How far it is off, m.
+    /// How far it is off with what was found, m.
     pub distance: f64,
 }
 
@@ -43,8 +42,8 @@ pub(super) struct Sound {
     pub(super) lever: f64,
     /// Which row of the table each of `sights` is; rows without a sound point are left out.
     pub(super) index: Vec<usize>,
-    /// Row of the table and point of each that is left out, with its distance, m.
-    pub(super) wrong: Vec<(usize, usize, f64)>,
+    /// Row of the table and point of each that is left out.
+    pub(super) wrong: Vec<(usize, usize)>,
 }
 
 /// A state as drawn that most rows agree with: the best of random subsets by the median of distances.
@@ -86,21 +85,26 @@ pub(super) fn start(
     judged.into_iter().flatten().min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Weights, noise and wrong rows under the level that has the arm's weight.
-pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, usize), start: (State, f64)) -> Sound {
+/// The median distance of an arm that was fitted over the standard deviation of a coordinate is this.
+pub(super) fn noise_of(off: f64) -> f64 {
+    off / MEDIAN
+}
+
+/// Weights, noise and wrong rows under a prior, of all rows, from a state and a noise near theirs.
+///
+/// Rows that are wrong take part with their small weights: none is judged by whether it was left out before.
+pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (State, f64)) -> Sound {
     const ROUNDS: usize = 25;
-    let all = sights.clone();
-    let mut rows = Rows { arm, drives: None, sights, stands, points, lever: 0.3 };
-    let (mut state, off) = start;
-    let mut noise = (off / MEDIAN).max(1e-6);
-    let prior = Level::Weight.prior(0.7e-3, None);
+    let all = rows.sights.clone();
     for _ in 0..ROUNDS {
         let off = rows_distances(&rows, &state, &all);
         weigh(&mut rows.sights, &all, &off, noise);
-        let (next, linear) = rows.solved(state, &prior, noise);
+        let (next, linear) = rows.solved(state, prior, noise);
         state = next;
-        let off = distances(&linear);
-        let next_noise = (median(off.iter().map(|(_, _, off)| *off).collect()) / MEDIAN).max(1e-7);
+        let middle = median(distances(&linear).into_iter().map(|(_, _, off)| off).collect());
+        // What was fitted has taken its part of every distance.
+        let fitted = rows.spare_share(&linear, &state, (prior, noise)).unwrap_or(1.0);
+        let next_noise = (noise_of(middle) / fitted.sqrt()).max(1e-7);
         rows.lever = balanced(&linear, rows.lever, next_noise);
         let is_settled = (next_noise / noise - 1.0).abs() < 1e-3;
         noise = next_noise;
@@ -110,11 +114,12 @@ pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, 
     }
     let off = rows_distances(&rows, &state, &all);
     let limit = (WRONG * noise).max(LEAST_WRONG);
-    let wrong: Vec<(usize, usize, f64)> = off.iter().copied().filter(|(_, _, off)| !(*off <= limit)).collect();
+    let is_wrong = |(_, _, off): &&(usize, usize, f64)| !(*off <= limit);
+    let wrong: Vec<(usize, usize)> = off.iter().filter(is_wrong).map(|(row, point, _)| (*row, *point)).collect();
     let mut kept = all.clone();
     weigh(&mut kept, &all, &off, noise);
     let every = kept.clone();
-    for (row, point, _) in &wrong {
+    for (row, point) in &wrong {
         kept[*row].points[*point] = None;
     }
     let index: Vec<usize> = (0..kept.len()).filter(|&i| kept[i].points.iter().any(Option::is_some)).collect();
@@ -122,11 +127,26 @@ pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, 
     Sound { sights, every, state, noise, lever: rows.lever, index, wrong }
 }
 
-/// Row, point and distance of every point.
-fn rows_distances(rows: &Rows, state: &State, all: &[Sight]) -> Vec<(usize, usize, f64)> {
+/// Points of a row that all are wrong are reported as one.
+pub(super) fn wrong_rows(wrong: &[(usize, usize, f64)], sights: &[Sight], lines: &[usize]) -> Vec<WrongRow> {
+    let mut found: Vec<WrongRow> = Vec::new();
+    for (row, point, distance) in wrong {
+        let of_row = wrong.iter().filter(|(other, _, _)| other == row);
+        let is_whole = of_row.count() == sights[*row].points.iter().flatten().count();
+        let line = lines[*row];
+        match found.last_mut().filter(|last| is_whole && last.line == line) {
+            Some(last) => last.distance = last.distance.max(*distance),
+            None => found.push(WrongRow { line, point: if is_whole { 0 } else { point + 1 }, distance: *distance }),
+        }
+    }
+    found
+}
+
+/// Row, point and distance of every point of all rows.
+pub(super) fn rows_distances(rows: &Rows, state: &State, all: &[Sight]) -> Vec<(usize, usize, f64)> {
     let of_all = Rows {
         arm: rows.arm,
-        drives: None,
+        drives: rows.drives,
         sights: all.to_vec(),
         stands: rows.stands,
         points: rows.points,
@@ -166,7 +186,7 @@ fn balanced(rows: &[Linear], lever: f64, noise: f64) -> f64 {
     if turns.is_empty() {
         return lever;
     }
-    let off = median(turns) / MEDIAN / lever;
+    let off = noise_of(median(turns)) / lever;
     (noise / off.max(1e-9)).clamp(WITHIN[0], WITHIN[1])
 }
 
