@@ -55,6 +55,15 @@ impl Compensated {
         (0..self.second.len()).find(|&i| !(0.0 < self.held(i, values)))
     }
 
+    /// From some values towards others, as far as joint 2 is held.
+    pub(super) fn towards(&self, values: &[f64], target: &[f64]) -> Option<Vec<f64>> {
+        let step = |share: f64| -> Vec<f64> {
+            values.iter().zip(target).map(|(value, target)| value + share * (target - value)).collect()
+        };
+        let shares = (0..20).map(|halved| 0.5_f64.powi(halved));
+        shares.map(step).find(|values| self.unheld(values).is_none())
+    }
+
     /// The system that is linear about some values, of one that knows no compensator.
     pub(super) fn about(&self, values: &[f64], system: &mut System) {
         for (i, &second) in self.second.iter().enumerate() {

@@ -72,11 +72,11 @@ pub(super) fn residuals(
     (0..readings.len()).map(of).collect()
 }
 
-/// Readings beyond a bound, the worst first.
-pub(super) fn outliers(readings: &[Reading], ratios: &[f64], bound: f64) -> Vec<Outlier> {
-    let mut found: Vec<Outlier> = (readings.iter().zip(ratios))
-        .filter(|(_, ratio)| bound < **ratio)
-        .map(|(reading, ratio)| Outlier { row: reading.row, ratio: *ratio })
+/// Readings that do not fit, the worst first.
+pub(super) fn outliers(readings: &[Reading], (ratios, is_out): (&[f64], &[bool])) -> Vec<Outlier> {
+    let mut found: Vec<Outlier> = (readings.iter().zip(ratios).zip(is_out))
+        .filter(|(_, is_out)| **is_out)
+        .map(|((reading, ratio), _)| Outlier { row: reading.row, ratio: *ratio })
         .collect();
     found.sort_by(|a, b| b.ratio.total_cmp(&a.ratio));
     found

@@ -14,6 +14,7 @@ mod choice;
 mod compensated;
 mod diagnostics;
 mod model;
+mod outlying;
 mod posterior;
 mod regression;
 mod robust;
@@ -22,7 +23,7 @@ mod work;
 mod written;
 
 use nalgebra::DMatrix;
-use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::robot::Robot;
 use crate::watch::Stopped;
@@ -38,8 +39,6 @@ pub(crate) use springs::columns_at;
 pub const MOST_RELATIVE_ERROR: f64 = 0.5;
 /// From so many standard deviations on a remainder counts less in Huber's estimate; a tenth of normal ones reach it.
 const HUBER_BOUND: f64 = 2.5;
-/// Where no reading is wrong, one table in so many has an outlier.
-const ONE_TABLE_IN: f64 = 20.0;
 
 /// Along which axes vectors of a table point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -284,11 +283,4 @@ fn rms(values: &[f64]) -> f64 {
 /// Student's t that 95 % stay within, either way.
 fn student(freedom: f64) -> f64 {
     StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |t| t.inverse_cdf(0.975))
-}
-
-/// So many standard deviations of a coordinate a remainder may have: the largest of so many normal ones stays within that in
-/// nineteen tables of twenty.
-fn bound(readings: usize) -> f64 {
-    let share = 1.0 / (ONE_TABLE_IN * readings.max(1) as f64);
-    ChiSquared::new(3.0).map_or(f64::INFINITY, |law| law.inverse_cdf(1.0 - share).sqrt())
 }

@@ -134,7 +134,7 @@ pub(super) fn solve(system: &System) -> Option<Solution> {
 }
 
 /// `Z^T` of some columns `A = Z R`, row by row of A; `None` where R is singular.
-fn basis(a: &DMatrix<f64>, free: &[usize], r: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+pub(super) fn basis(a: &DMatrix<f64>, free: &[usize], r: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (rows, count) = (a.nrows(), free.len());
     let mut z = DMatrix::zeros(count, rows);
     if r.diagonal().iter().any(|x| *x == 0.0) {

@@ -4,13 +4,14 @@ use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
 
 use super::compensated::Compensated;
 use super::model::Springs;
+use super::outlying::outlying;
 use super::regression::{Solution, Spread, System, solve, spread, unseen};
-use super::robust::{Robust, robust};
+use super::robust::{ROUNDS, Robust, robust};
 use super::springs::{Bent, Spring, beyond, ranges};
 use super::written::{Fitness, robot_with};
 use super::{
     Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Unknown,
-    bound, diagnostics, rms, student,
+    diagnostics, rms, student,
 };
 use crate::catalogue::measurements::Reading;
 use crate::parallel;
@@ -145,13 +146,37 @@ impl<'a> Work<'a> {
             if values.iter().zip(&target).all(is_near) {
                 return Ok((system, solution));
             }
-            // Towards it, as far as joint 2 is held.
-            let step = |share: f64| -> Vec<f64> {
-                values.iter().zip(&target).map(|(value, target)| value + share * (target - value)).collect()
+            values = compensated.towards(&values, &target).ok_or(IdentifyError::NotFound)?;
+        }
+        Err(IdentifyError::NotFound)
+    }
+
+    /// Huber's estimate of the springs that are not held, from least squares on; and which readings are outliers. Beside a compensator
+    /// the system is made anew about what is found, until that stays.
+    fn robust(
+        &self,
+        held: &[Option<f64>],
+        (mut system, plain): (System, &Solution),
+    ) -> Result<(Robust, Vec<bool>), IdentifyError> {
+        const STEPS: usize = 60;
+        /// Less than this share of a value is the search for the one system.
+        const NEAR: f64 = 1e-7;
+        let unknowns: Vec<usize> = (0..held.len()).filter(|&i| held[i].is_none()).collect();
+        let mut values = values_of(&unknowns, &plain.values, held);
+        for step in 1.. {
+            self.watch.go_on()?;
+            let found = robust(&system, HUBER_BOUND).ok_or(IdentifyError::NotFound)?;
+            let target = values_of(&unknowns, &found.values, held);
+            let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= NEAR * a.abs().max(b.abs());
+            let is_there = self.compensated.is_none() || values.iter().zip(&target).all(is_near);
+            let towards = |of: &Compensated| of.towards(&values, &target);
+            let next = self.compensated.as_ref().filter(|_| step < STEPS).and_then(towards);
+            let Some(next) = next.filter(|_| !is_there) else {
+                let is_out = outlying(&system, &found);
+                return Ok((Robust { is_settled: found.is_settled && is_there, ..found }, is_out));
             };
-            let shares = (0..20).map(|halved| 0.5_f64.powi(halved));
-            let mut steps = shares.map(step).filter(|values| compensated.unheld(values).is_none());
-            values = steps.next().ok_or(IdentifyError::NotFound)?;
+            values = next;
+            system = self.about(&values)?.weighted(&self.weights).holding(held);
         }
         Err(IdentifyError::NotFound)
     }
@@ -180,7 +205,7 @@ impl<'a> Work<'a> {
         if plain.free.is_empty() {
             return Err(IdentifyError::Against);
         }
-        let robust = robust(&weighted, &plain, HUBER_BOUND).ok_or(IdentifyError::NotFound)?;
+        let (robust, is_out) = self.robust(&held, (weighted, &plain))?;
         let weights = match options.estimator {
             Estimator::LeastSquares => self.weights.clone(),
             Estimator::Huber => {
@@ -198,13 +223,16 @@ impl<'a> Work<'a> {
         let unknowns: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
         let mut estimates = self.estimates(&unknowns, &solution, &spread, &robust, &groups);
         let (used, own) = self.used(&mut estimates, &weights, (&solution, &spread))?;
-        let fit = self.fit_of(&unknowns, &solution, &spread, &robust, &weights);
+        let fit = self.fit_of(&unknowns, (&solution, &spread), (&robust, &is_out), &weights);
         let after_used = rms(&own);
         let before = rms(self.system.y.as_slice());
         let fitness = Fitness { postures: fit.postures, moved: before, residual: after_used, left_out: fit.left_out };
         let written = robot_with(self.robot, &estimates, &used, options, fitness);
         let mut remarks = remarks.to_vec();
         remarks.extend(self.odd_postures());
+        remarks.extend((!robust.is_settled).then(|| {
+            format!("Huber's estimate still changed after {ROUNDS} rounds: its values, and the rows that do not fit, are near, not exact")
+        }));
         remarks.extend(unlike_its_size(self.robot, &estimates));
         let residual = self.residual(&values_of(&unknowns, &solution.values, &held));
         let found = Identification {
@@ -383,9 +411,8 @@ impl<'a> Work<'a> {
     fn fit_of(
         &self,
         unknowns: &[usize],
-        solution: &Solution,
-        spread: &Spread,
-        robust: &Robust,
+        (solution, spread): (&Solution, &Spread),
+        (robust, is_out): (&Robust, &[bool]),
         weights: &[f64],
     ) -> Identification {
         let count = self.springs.len();
@@ -430,7 +457,7 @@ impl<'a> Work<'a> {
                 (spread, weights),
                 &robust.ratios,
             ),
-            outliers: diagnostics::outliers(self.readings, &robust.ratios, bound(self.readings.len())),
+            outliers: diagnostics::outliers(self.readings, (&robust.ratios, is_out)),
             postures,
             remarks: Vec::new(),
         }
