@@ -258,6 +258,23 @@ fn a_displacement_of_the_wrong_sign_is_named_and_hubers_estimate_settles() {
     assert!(right <= 9, "{right} right rows");
 }
 
+/// A table whose x and y of the displacements are exchanged fits springs somehow; that they explain next to nothing is said.
+#[test]
+fn exchanged_axes_are_hardly_explained_and_that_is_said() {
+    let robot = with(&kuka(), TRUTH);
+    let mut measured = Made { noise: 20e-6, ..Made::usual(3) }.measured(&robot);
+    let remarks = |measured: &Measurements| {
+        identify(&robot, measured, &Options::default(), Watch::nobody()).expect("springs").remarks
+    };
+    assert_eq!(remarks(&measured), Vec::<String>::new());
+    measured.readings.iter_mut().for_each(|reading| reading.moved = reading.moved.yxz());
+    let said = remarks(&measured);
+    assert!(
+        said.iter().any(|one| one.starts_with("springs explain ") && one.contains("of the displacements")),
+        "{said:?}"
+    );
+}
+
 /// Nothing is wrong but the noise: about one table in twenty names a row. Of 300 tables with 15 expected the chance of more than 28 is below 1 in 1000.
 #[test]
 fn one_clean_table_in_twenty_names_a_row() {

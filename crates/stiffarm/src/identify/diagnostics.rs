@@ -72,6 +72,22 @@ pub(super) fn residuals(
     (0..readings.len()).map(of).collect()
 }
 
+/// That springs explain so little of what was measured, in rows that are not named for themselves, that something else is the matter.
+pub(super) fn little_explained(measured: &[f64], residual: &[f64], is_out: &[bool]) -> Option<String> {
+    const LITTLE: f64 = 0.5;
+    let of_right = |values: &[f64]| {
+        let rows = values.chunks(3).zip(is_out).filter(|(_, is_out)| !**is_out);
+        super::rms(&rows.flat_map(|(row, _)| row.iter().copied()).collect::<Vec<_>>())
+    };
+    let explained = 1.0 - of_right(residual) / of_right(measured);
+    (explained < LITTLE).then(|| {
+        format!(
+            "springs explain {:.0} % of the displacements: are axes of displacements and forces the same, and is load point and tool right? Else something that is no drive gives way",
+            100.0 * explained.max(0.0)
+        )
+    })
+}
+
 /// Readings that do not fit, the worst first.
 pub(super) fn outliers(readings: &[Reading], (ratios, is_out): (&[f64], &[bool])) -> Vec<Outlier> {
     let mut found: Vec<Outlier> = (readings.iter().zip(ratios).zip(is_out))

@@ -235,6 +235,7 @@ impl<'a> Work<'a> {
         }));
         remarks.extend(unlike_its_size(self.robot, &estimates));
         let residual = self.residual(&values_of(&unknowns, &solution.values, &held));
+        remarks.extend(diagnostics::little_explained(self.system.y.as_slice(), &residual, &is_out));
         let found = Identification {
             robot: written,
             estimator: options.estimator,
