@@ -178,7 +178,7 @@ impl ShopFigure<'_> {
         canvas.text([ROOM[0] - 18.0, level], name, Font::new(12.0).end().colour(PROSE));
         if let Some(carrier) = self.layout.fixed_to {
             let [ahead, _, up] = self.layout.axis;
-            self.draw_fixed(canvas, (scale.side(*foot), [ahead, -up]), scale, carrier);
+            draw_fixed(canvas, (scale.side(*foot), [ahead, -up]), scale, carrier);
         } else {
             let [x, y] = scale.side(*foot);
             let half = FOOT / 2.0 * scale.per_metre;
@@ -187,31 +187,6 @@ impl ShopFigure<'_> {
             axis(canvas, [x, top - 6.0], [x, level + 10.0]);
         }
         self.draw_work(canvas, |at| scale.side(at));
-    }
-
-    /// The foot of a robot that does not stand, at a place of a view in which the joint-1 axis points so; round where it points at who looks.
-    fn draw_fixed(&self, canvas: &mut Canvas, (at, along): (Px, Px), scale: &Scale, carrier: &'static str) {
-        let half = FOOT / 2.0 * scale.per_metre;
-        let length = along[0].hypot(along[1]);
-        if length < FACING {
-            canvas.circle(at, half, &plate());
-            return;
-        }
-        let [out, side] = [[along[0] / length, along[1] / length], [-along[1] / length, along[0] / length]];
-        let corner = |across: f64, away: f64| [0, 1].map(|i| at[i] + across * side[i] + away * out[i]);
-        let behind =
-            [corner(-2.0 * half, 0.0), corner(2.0 * half, 0.0), corner(2.0 * half, -5.0), corner(-2.0 * half, -5.0)];
-        canvas.path(&path(&behind, true), &format!(r#"fill="{GROUND}" fill-opacity="0.45""#));
-        canvas.line(behind[0], behind[1], &format!(r#"stroke="{INK}" stroke-width="1.2""#));
-        let foot = [corner(-half, 0.0), corner(half, 0.0), corner(half, PLATE), corner(-half, PLATE)];
-        canvas.path(&path(&foot, true), &plate());
-        let end = corner(0.0, FOOT * scale.per_metre * length);
-        axis(canvas, corner(0.0, -10.0), end);
-        let font = Font::new(12.0).colour(PROSE).halo();
-        canvas.text([end[0] + 6.0, end[1]], "joint-1 axis", font);
-        // Beside the right end, the lower one of a wall.
-        let beside = behind[..2].iter().copied().max_by(|a, b| (a[0] + 0.01 * a[1]).total_cmp(&(b[0] + 0.01 * b[1])));
-        canvas.text(beside.map_or(at, |[x, y]| [x + 6.0, y]), carrier, font);
     }
 
     /// The zone, also where it is seen as a line, or the cuts of a path.
@@ -229,18 +204,15 @@ impl ShopFigure<'_> {
     fn draw_above(&self, canvas: &mut Canvas, scale: &Scale) {
         let [x, y] = scale.above(self.layout.foot);
         let arm = FOOT * scale.per_metre;
-        match self.layout.fixed_to.filter(|_| !self.layout.axis_is_vertical()) {
-            Some(carrier) => {
-                let [ahead, left, _] = self.layout.axis;
-                self.draw_fixed(canvas, ([x, y], [ahead, -left]), scale, carrier);
-            }
-            None => {
-                canvas.circle([x, y], FOOT / 2.0 * scale.per_metre, &plate());
-                axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
-                axis(canvas, [x, y - arm], [x, y + arm]);
-                let above = y - FOOT / 2.0 * scale.per_metre - 9.0;
-                canvas.text([x + 6.0, above], "joint-1 axis", Font::new(12.0).colour(PROSE));
-            }
+        if let Some(carrier) = self.layout.fixed_to.filter(|_| !self.layout.axis_is_vertical()) {
+            let [ahead, left, _] = self.layout.axis;
+            draw_fixed(canvas, ([x, y], [ahead, -left]), scale, carrier);
+        } else {
+            canvas.circle([x, y], FOOT / 2.0 * scale.per_metre, &plate());
+            axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
+            axis(canvas, [x, y - arm], [x, y + arm]);
+            let above = y - FOOT / 2.0 * scale.per_metre - 9.0;
+            canvas.text([x + 6.0, above], "joint-1 axis", Font::new(12.0).colour(PROSE));
         }
         self.draw_work(canvas, |at| scale.above(at));
         if let Some(yaw) = self.layout.yaw {
@@ -255,6 +227,31 @@ impl ShopFigure<'_> {
             canvas.line(from, to, &format!(r#"stroke="{INK}" stroke-width="1""#));
         }
     }
+}
+
+/// The foot of a robot that does not stand, at a place of a view in which the joint-1 axis points so; round where it points at who looks.
+fn draw_fixed(canvas: &mut Canvas, (at, along): (Px, Px), scale: &Scale, carrier: &'static str) {
+    let half = FOOT / 2.0 * scale.per_metre;
+    let length = along[0].hypot(along[1]);
+    if length < FACING {
+        canvas.circle(at, half, &plate());
+        return;
+    }
+    let [out, side] = [[along[0] / length, along[1] / length], [-along[1] / length, along[0] / length]];
+    let corner = |across: f64, away: f64| [0, 1].map(|i| at[i] + across * side[i] + away * out[i]);
+    let behind =
+        [corner(-2.0 * half, 0.0), corner(2.0 * half, 0.0), corner(2.0 * half, -5.0), corner(-2.0 * half, -5.0)];
+    canvas.path(&path(&behind, true), &format!(r#"fill="{GROUND}" fill-opacity="0.45""#));
+    canvas.line(behind[0], behind[1], &format!(r#"stroke="{INK}" stroke-width="1.2""#));
+    let foot = [corner(-half, 0.0), corner(half, 0.0), corner(half, PLATE), corner(-half, PLATE)];
+    canvas.path(&path(&foot, true), &plate());
+    let end = corner(0.0, FOOT * scale.per_metre * length);
+    axis(canvas, corner(0.0, -10.0), end);
+    let font = Font::new(12.0).colour(PROSE).halo();
+    canvas.text([end[0] + 6.0, end[1]], "joint-1 axis", font);
+    // Beside the right end, the lower one of a wall.
+    let beside = behind[..2].iter().copied().max_by(|a, b| (a[0] + 0.01 * a[1]).total_cmp(&(b[0] + 0.01 * b[1])));
+    canvas.text(beside.map_or(at, |[x, y]| [x + 6.0, y]), carrier, font);
 }
 
 /// How the plate looks on which a robot stands.

@@ -11,7 +11,7 @@ fields! {
     CRITICAL_DEPTH_P95: "critical_depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile; null beyond 300 mm.";
     CHATTER_FREQUENCY: "chatter_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
     TOOTH_PHASE: "tooth_phase_rad", Kind::Number(Unit::Given("rad")), "By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives.";
-    ANY_SPEED_DEPTH: "any_speed_depth_mm", Kind::Number(Unit::Millimetre), "Less deep no speed swings, by the mean of the teeth, and never deeper than critical_depth_mm; null where none up to 300 mm does.";
+    ANY_SPEED_DEPTH: "any_speed_depth_mm", Kind::Number(Unit::Millimetre), "Less deep no speed swings, by the mean of the teeth, and never deeper than at the speed of the cut; null where none up to 300 mm does.";
     ANY_SPEED_DEPTH_P05: "any_speed_depth_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile over the same draws.";
     ANY_SPEED_DEPTH_P95: "any_speed_depth_mm_p95", Kind::Number(Unit::Millimetre), "95th percentile.";
     ANY_SPEED_FREQUENCY: "any_speed_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";

@@ -95,8 +95,8 @@ class Chatter(Table[types.ChatterDict]):
     """By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives."""
 
     any_speed_depth_mm: float | None
-    """Less deep no speed swings, by the mean of the teeth, and never deeper than critical_depth_mm; null where
-    none up to 300 mm does."""
+    """Less deep no speed swings, by the mean of the teeth, and never deeper than at the speed of the cut; null
+    where none up to 300 mm does."""
 
     any_speed_depth_mm_p05: float | None
     """5th percentile over the same draws."""
