@@ -44,7 +44,7 @@ def test_a_toolpath_and_a_process_are_opened_and_a_program_downloaded(look: Open
     expect(page.get_by_label("path", exact=True)).to_have_value("contour_ij.nc")
     page.get_by_label("open a file for process").and_(page.locator("input")).set_input_files(EXAMPLES / "endmill.toml")
     page.get_by_label("force [N]").fill("")
-    expect(page.locator("#number")).to_contain_text("0.2316 mm")
+    expect(page.locator("#number")).to_contain_text("0.2320 mm")
     page.get_by_label("compensate").check()
     with page.expect_download() as saved:
         page.get_by_role("button", name="download KUKA .src").click()
