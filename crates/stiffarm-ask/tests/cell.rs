@@ -79,6 +79,22 @@ fn a_window_beside_the_range_of_joint_1_has_its_best_place_at_that_limit() {
     }
 }
 
+/// A force that is fixed to the base keeps the zone straight ahead, and the best place may lie at the limit of joint 1 there, too: it lay 5 % above its
+/// bound, as places at that limit were dropped.
+#[test]
+fn under_a_force_fixed_to_the_base_the_best_place_may_lie_at_a_limit_of_joint_1() {
+    let asked = request(&[("task", "circle:0.2"), ("force-n", "300,100,50"), ("force-axes", "base")]);
+    let mut robot = asked.equipped(robot()).unwrap();
+    let Arm::SixAxis { limits, .. } = &mut robot.arm else { panic!("six axes") };
+    limits.joints[0] = Interval::spanning(25_f64.to_radians(), 120_f64.to_radians());
+    let tool = Pose::new(Vector3::new(0.0, 0.5, 0.1), Vector3::y() * 40_f64.to_radians());
+    let model = Model::spatial(&robot, &tool).unwrap();
+    let zone = Zone::Circle { diameter: 0.2 };
+    let placed = place(&model, &zone.into(), &asked.place_options(None).unwrap(), Watch::nobody()).unwrap();
+    let best = placed.feasible().unwrap_or_else(|| panic!("{placed:?}"));
+    assert!(best.gap() < 0.02, "{} {}", best.gap(), best.deflection);
+}
+
 /// A box about the pedestal keeps what moves out, and no longer every place.
 #[test]
 fn a_box_about_the_pedestal_takes_no_place_that_the_arm_keeps_out_of() {

@@ -170,7 +170,8 @@ impl<'a> Search<'a> {
         Self {
             robot,
             arm,
-            freed: arm.without_limit_on(0, turns).without_limit_on(5, roll_is_free),
+            freed: if turns { arm.without_limit_on(0, true) } else { arm.clone().with_joint_1_clear() }
+                .without_limit_on(5, roll_is_free),
             zone,
             options,
             roll_is_free,
