@@ -1698,7 +1698,8 @@ class RankingRow(TypedDict):
 
     win_probability: list[float | None]
     """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
+    it has no place, is estimated, is not to be taken (its arm collides, it carries more than it may), or the
+    uncertainty of its drives is not known."""
 
     expected_regret_mm: list[float | None]
     """How much more than the best it has on average, of each task."""
@@ -2023,7 +2024,8 @@ class PathRankingRow(_Pass):
 
     win_probability: list[float | None]
     """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
+    it has no place, is estimated, is not to be taken (its arm collides, it carries more than it may), or the
+    uncertainty of its drives is not known."""
 
     expected_regret_mm: list[float | None]
     """How much more than the best it has on average, of each task."""
@@ -3736,7 +3738,8 @@ class ComparisonDict(TypedDict):
 
     win_probability: list[float | None] | None
     """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
+    it has no place, is estimated, is not to be taken (its arm collides, it carries more than it may), or the
+    uncertainty of its drives is not known."""
 
     differ_in: list[str]
     """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,

@@ -39,7 +39,7 @@ fields! {
     DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "5th percentile of the deflection there over draws of the drive stiffness; null where its uncertainty is not known.";
     DEFLECTION_P50: "deflection_mm_p50", Kind::Number(Unit::Millimetre), "Their median; mostly more than at the nominal stiffness, as a soft drive adds more than a stiff one takes away.";
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Their 95th percentile.";
-    WIN_PROBABILITY: "win_probability", Kind::List(&Kind::Maybe(&Kind::Number(Unit::One))), "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, or the uncertainty of its drives is not known.";
+    WIN_PROBABILITY: "win_probability", Kind::List(&Kind::Maybe(&Kind::Number(Unit::One))), "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, is not to be taken (its arm collides, it carries more than it may), or the uncertainty of its drives is not known.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::List(&Kind::Maybe(&Kind::Number(Unit::Millimetre))), "How much more than the best it has on average, of each task.";
     TIES_WITH_BEST: "ties_with_best", Kind::List(&Kind::Maybe(&Kind::Truth)), "It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";

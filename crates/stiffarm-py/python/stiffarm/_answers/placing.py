@@ -373,7 +373,8 @@ class Comparison(Table[types.ComparisonDict]):
 
     win_probability: list[float | None] | None
     """In which share of the draws of the drive stiffness it has the least deflection, of each task; null where
-    it has no place, is estimated, or the uncertainty of its drives is not known."""
+    it has no place, is estimated, is not to be taken (its arm collides, it carries more than it may), or the
+    uncertainty of its drives is not known."""
 
     differ_in: list[str]
     """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
