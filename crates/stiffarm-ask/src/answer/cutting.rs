@@ -127,7 +127,12 @@ impl CuttingAnswer {
             }
             _ => lines.push(line("force", format!("{} N in any direction", fixed(force.largest, 2)))),
         }
-        lines.push(line("moment about the axis", format!("{} N m", fixed(force.moment, 4))));
+        let moment = if force.moment == 0.0 {
+            "none is given, so that 0 is taken".into()
+        } else {
+            format!("{} N m", fixed(force.moment, 4))
+        };
+        lines.push(line("moment about the axis", moment));
         let power = force.power.map_or("not known".into(), |power| format!("{} W", fixed(power, 1)));
         lines.push(line("power of the spindle", power));
         for one in &process.assumed {
