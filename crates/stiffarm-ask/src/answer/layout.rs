@@ -1,16 +1,18 @@
 //! Where must the work stand, as a shop drawing has it: heights, distances from the joint-1 axis, sideways?
 
+mod base;
 mod dimensions;
 
 use std::f64::consts::TAU;
 
+pub use base::Base;
 pub use dimensions::Dimension;
 use dimensions::{from_an_origin, of_a_zone};
 
 use super::words::degrees;
 use super::{Line, MillAnswer, PlaceAnswer, line};
 use nalgebra::{Point3, Rotation3, Vector3};
-use stiffarm::cell::{Block, Cell, MountKind};
+use stiffarm::cell::{Block, Cell};
 use stiffarm::interval::Interval;
 use stiffarm::mill::Station;
 use stiffarm::model::ModelKind;
@@ -32,14 +34,8 @@ const CORNERS: usize = 72;
 pub struct Layout {
     /// Whose work it is, and which.
     pub title: String,
-    /// Where the joint-1 axis meets the foot of the robot.
-    pub foot: [f64; 3],
-    /// Where the joint-1 axis points from there, of length one.
-    pub axis: [f64; 3],
-    /// What the robot is fixed to, where that is neither a floor nor a pedestal.
-    pub fixed_to: Option<&'static str>,
-    /// Where the floor is, where that is known: of a cell.
-    pub floor: Option<f64>,
+    /// Where the robot stands.
+    pub base: Base,
     /// The rim of the zone or of every face, closed lines whose first point is not repeated; or the cuts of a path.
     pub lines: Vec<Vec<[f64; 3]>>,
     /// The lines are closed.
@@ -85,10 +81,7 @@ impl PlaceAnswer {
         let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
         let mut layout = Layout {
             title: format!("{}: {} ({})", self.robot.full_name(), self.task.label, self.task.work.describe()),
-            foot: cell_from_base.translation.vector.into(),
-            axis: (cell_from_base.rotation * Vector3::z()).into(),
-            fixed_to: fixed_to(cell.as_ref()),
-            floor: cell.map(|_| 0.0),
+            base: Base::of(cell.as_ref()),
             lines,
             is_closed: true,
             centre,
@@ -208,10 +201,7 @@ impl MillAnswer {
         let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
         let mut layout = Layout {
             title: format!("{}: {}", self.robot.full_name(), self.path),
-            foot: cell_from_base.translation.vector.into(),
-            axis: (cell_from_base.rotation * Vector3::z()).into(),
-            fixed_to: fixed_to(cell.as_ref()),
-            floor: cell.map(|_| 0.0),
+            base: Base::of(cell.as_ref()),
             lines: cuts.map(cut).collect(),
             centre: placement.at,
             is_closed: false,
@@ -232,24 +222,6 @@ impl Layout {
         [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// The joint-1 axis is upright, or hangs: lengths count from it.
-    pub fn axis_is_vertical(&self) -> bool {
-        1.0 - self.axis[2].abs() < 1e-12
-    }
-
-    /// What lengths ahead and sideways count from.
-    pub fn datum(&self) -> &'static str {
-        if self.axis_is_vertical() { "joint-1 axis" } else { "middle of the foot" }
-    }
-
-    /// What lengths count from, and along which axes.
-    pub fn origin(&self) -> String {
-        match self.floor {
-            None => "the base".into(),
-            Some(_) => format!("the {} and the floor, along the axes of the cell", self.datum()),
-        }
-    }
-
     /// For people: what is measured, line by line.
     pub fn measured(&self) -> Vec<Line> {
         let mut lines: Vec<Line> =
@@ -257,16 +229,6 @@ impl Layout {
         lines.extend(self.turned.clone());
         lines
     }
-}
-
-/// What carries a robot that does not stand.
-fn fixed_to(cell: Option<&Cell>) -> Option<&'static str> {
-    let mount = cell.map(|cell| cell.mount).filter(|mount| mount.raised().is_none())?;
-    Some(match mount.kind {
-        MountKind::Wall => "wall",
-        MountKind::Ceiling => "ceiling",
-        MountKind::Pedestal | MountKind::Pose => "base as posed",
-    })
 }
 
 /// How something is turned about the vertical.
@@ -439,12 +401,20 @@ mod tests {
         ] {
             let layout = of(mount);
             let measured = layout.measured();
-            assert_eq!((layout.fixed_to, [0, 1, 2].map(|i| measured[i][1].as_str())), (fixed_to, lengths), "{mount}");
+            assert_eq!(
+                (layout.base.fixed_to, [0, 1, 2].map(|i| measured[i][1].as_str())),
+                (fixed_to, lengths),
+                "{mount}"
+            );
             assert_eq!(measured[1][0], format!("{from} to the path's origin, ahead"), "{mount}");
             assert_eq!(measured[2][0], format!("the path's origin to the left of the {from}"), "{mount}");
-            assert_eq!(layout.origin(), format!("the {from} and the floor, along the axes of the cell"), "{mount}");
+            assert_eq!(
+                layout.base.origin(),
+                format!("the {from} and the floor, along the axes of the cell"),
+                "{mount}"
+            );
         }
-        let axis = of("wall:1.6").axis;
+        let axis = of("wall:1.6").base.axis;
         assert!((axis[0] - 1.0).abs() < 1e-12, "out of the wall: {axis:?}");
     }
 

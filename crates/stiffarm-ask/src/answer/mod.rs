@@ -55,7 +55,7 @@ pub use identify::IdentifyAnswer;
 pub use keys::field::{Field, Kind, Unit};
 pub use keys::shape::Shape;
 pub use keys::{field, shape};
-pub use layout::{Dimension, Layout};
+pub use layout::{Base, Dimension, Layout};
 pub use ledger::LedgerAnswer;
 pub use map::MapAnswer;
 pub use measure::{DrawnPosture, GeometryAnswer, MeasureAnswer};

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::answer::words::degrees;
-use crate::answer::{Dimension, Layout};
+use crate::answer::{Base, Dimension, Layout};
 use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, KEEP_OUT, PROSE, ZONE};
 
 use super::FigureSize;
@@ -71,7 +71,7 @@ impl ShopFigure<'_> {
         let Layout { title, yaw, .. } = self.layout;
         let turned =
             yaw.map_or_else(String::new, |yaw| format!("; x at {}, counterclockwise from above", degrees(yaw)));
-        let subtitle = format!("side and top view; lengths in mm from {}{turned}", self.layout.origin());
+        let subtitle = format!("side and top view; lengths in mm from {}{turned}", self.layout.base.origin());
         let top = heading(&mut canvas, title, &subtitle) + 18.0;
         let scale = self.scale(canvas.width, top);
         // From above: y, to the left, upwards.
@@ -102,7 +102,7 @@ impl ShopFigure<'_> {
     }
 
     fn scale(&self, width: f64, top: f64) -> Scale {
-        let Layout { foot, floor, .. } = self.layout;
+        let Base { foot, floor, .. } = &self.layout.base;
         let with_origin = |axis: usize| {
             let ([low, high], origin) = (self.layout.extent(axis), self.layout.centre[axis]);
             [low.min(origin), high.max(origin)]
@@ -161,7 +161,7 @@ impl ShopFigure<'_> {
 
     /// Floor, foot, axis and zone from the right side of the robot.
     fn draw_side(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
-        let Layout { foot, floor, .. } = self.layout;
+        let Base { foot, floor, .. } = &self.layout.base;
         let ground = floor.unwrap_or(foot[2]);
         let level = scale.side([0.0, 0.0, ground])[1];
         canvas.rect(
@@ -176,8 +176,8 @@ impl ShopFigure<'_> {
         );
         let name = if floor.is_some() { "floor" } else { "base" };
         canvas.text([ROOM[0] - 18.0, level], name, Font::new(12.0).end().colour(PROSE));
-        if let Some(carrier) = self.layout.fixed_to {
-            let [ahead, _, up] = self.layout.axis;
+        if let Some(carrier) = self.layout.base.fixed_to {
+            let [ahead, _, up] = self.layout.base.axis;
             draw_fixed(canvas, (scale.side(*foot), [ahead, -up]), scale, carrier);
         } else {
             let [x, y] = scale.side(*foot);
@@ -202,10 +202,10 @@ impl ShopFigure<'_> {
 
     /// Foot and zone from above.
     fn draw_above(&self, canvas: &mut Canvas, scale: &Scale) {
-        let [x, y] = scale.above(self.layout.foot);
+        let [x, y] = scale.above(self.layout.base.foot);
         let arm = FOOT * scale.per_metre;
-        if let Some(carrier) = self.layout.fixed_to.filter(|_| !self.layout.axis_is_vertical()) {
-            let [ahead, left, _] = self.layout.axis;
+        if let Some(carrier) = self.layout.base.fixed_to.filter(|_| !self.layout.base.is_vertical) {
+            let [ahead, left, _] = self.layout.base.axis;
             draw_fixed(canvas, ([x, y], [ahead, -left]), scale, carrier);
         } else {
             canvas.circle([x, y], FOOT / 2.0 * scale.per_metre, &plate());

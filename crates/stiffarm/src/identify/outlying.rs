@@ -27,10 +27,10 @@ pub(super) fn outlying(system: &System, robust: &Robust) -> Vec<bool> {
         let freedom = (rows.len() - fit.free.len()) as f64;
         let variance = (fit.residual.norm_squared() / freedom).max(least * least);
         let limit = bound(is_out.len(), freedom) * variance;
-        let unseen = unseen(system, &others);
+        let unshown = unshown(system, &others);
         let mut is_changed = false;
         for i in (0..is_out.len()).filter(|&i| is_out[i]).collect::<Vec<_>>() {
-            let is_judged = unseen.iter().all(|&column| system.a.fixed_view::<3, 1>(3 * i, column).amax() == 0.0);
+            let is_judged = unshown.iter().all(|&column| system.a.fixed_view::<3, 1>(3 * i, column).amax() == 0.0);
             let fits = !is_judged || shift(system, &fit, i).is_none_or(|square| square <= limit);
             is_out[i] = !fits;
             is_changed |= fits;
@@ -43,7 +43,7 @@ pub(super) fn outlying(system: &System, robust: &Robust) -> Vec<bool> {
 }
 
 /// Columns of which some rows show nothing.
-fn unseen(all: &System, some: &System) -> Vec<usize> {
+fn unshown(all: &System, some: &System) -> Vec<usize> {
     const NOTHING: f64 = 1e-9;
     (0..all.a.ncols()).filter(|&i| some.a.column(i).norm() <= NOTHING * all.a.column(i).norm()).collect()
 }

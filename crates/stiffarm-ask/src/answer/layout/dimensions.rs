@@ -30,13 +30,13 @@ fn is_flat([low, high]: [f64; 2]) -> bool {
 
 /// What heights count from, and its name.
 fn ground(layout: &Layout) -> (f64, &'static str) {
-    layout.floor.map_or((layout.foot[2], "base"), |floor| (floor, "floor"))
+    layout.base.floor.map_or((layout.base.foot[2], "base"), |floor| (floor, "floor"))
 }
 
 /// Where the origin of a path or a part stands, and how far that reaches.
 pub(super) fn from_an_origin(layout: &Layout, origin: &str, whole: &str) -> Vec<Dimension> {
-    let ([x, y, z], [ahead, left, _], (floor, ground)) = (layout.centre, layout.foot, ground(layout));
-    let datum = layout.datum();
+    let ([x, y, z], [ahead, left, _], (floor, ground)) = (layout.centre, layout.base.foot, ground(layout));
+    let datum = layout.base.datum();
     let above = side(z - floor, ["above", "below"]);
     let mut dimensions = vec![
         dimension(2, [floor, z], format!("height of {origin} {above} the {ground}")),
@@ -57,8 +57,8 @@ pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
     let [across, aside, up] = [0, 1, 2].map(|axis| layout.extent(axis));
     let (floor, ground) = ground(layout);
     let above = |z: f64| side(z - floor, ["above", "below"]);
-    let beside = side(layout.centre[1] - layout.foot[1], ["left", "right"]);
-    let datum = layout.datum();
+    let beside = side(layout.centre[1] - layout.base.foot[1], ["left", "right"]);
+    let datum = layout.base.datum();
     let mut dimensions = Vec::new();
     if is_flat(up) {
         dimensions.push(dimension(
@@ -76,21 +76,21 @@ pub(super) fn of_a_zone(layout: &Layout) -> Vec<Dimension> {
     }
     dimensions.push(dimension(
         0,
-        [layout.foot[0], across[0]],
-        format!("{datum} to its near edge, {}", side(across[0] - layout.foot[0], ["ahead", "behind"])),
+        [layout.base.foot[0], across[0]],
+        format!("{datum} to its near edge, {}", side(across[0] - layout.base.foot[0], ["ahead", "behind"])),
     ));
     if is_flat(across) {
         return dimensions;
     }
     dimensions.push(dimension(
         0,
-        [layout.foot[0], layout.centre[0]],
-        format!("{datum} to its centre, {}", side(layout.centre[0] - layout.foot[0], ["ahead", "behind"])),
+        [layout.base.foot[0], layout.centre[0]],
+        format!("{datum} to its centre, {}", side(layout.centre[0] - layout.base.foot[0], ["ahead", "behind"])),
     ));
     dimensions.push(dimension(0, across, "its extent ahead".into()));
     dimensions.push(dimension(
         1,
-        [layout.foot[1], layout.centre[1]],
+        [layout.base.foot[1], layout.centre[1]],
         format!("its centre to the {beside} of the {datum}"),
     ));
     if !is_flat(aside) {

@@ -78,8 +78,10 @@ pub(crate) fn site(found: &PlaceOutput) -> Option<Section> {
 pub(crate) fn standing(layout: &Layout, what: &str) -> Section {
     let mut section = Section::new("Where the work must stand");
     let figure = ShopFigure { layout, figure_size: figure_size(FigureSize::default()) };
-    section
-        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", layout.origin()));
+    section.figure(
+        figure.svg(),
+        format!("{what}, from the side and from above; lengths in mm from {}.", layout.base.origin()),
+    );
     section.table(Table::of_lines(layout.measured()));
     section
 }
