@@ -124,9 +124,9 @@ fn wrist_angles(r: &Matrix3<f64>) -> (Wrists, bool) {
 pub fn within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<[f64; 6]> {
     let third = third_within_limits(geometry, limits, theta)?;
     let mut q = geometry.reported(theta, limits.third_axis);
-    q[2] = third;
-    for (q, range) in q.iter_mut().zip(&limits.joints) {
-        *q = range.turn_to(*q, LIMIT)?;
+    for (joint, (q, range)) in q.iter_mut().zip(&limits.joints).enumerate() {
+        // Of joint 3 a range of more than a turn has two angles, and the links may have one of them.
+        *q = if joint == 2 { third } else { range.turn_to(*q, LIMIT)? };
     }
     Some(q)
 }

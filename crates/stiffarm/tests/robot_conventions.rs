@@ -8,14 +8,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use stiffarm::catalogue::{find, names, paper_robots, read, robots};
+use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::drive::Architecture;
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
+use stiffarm::inverse::reached;
 use stiffarm::limits::{Limits, Pendant, ThirdAxis};
 use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::place::{PlaceOptions, Within, place};
 use stiffarm::robot::{Arm, NoArmPlane, Robot};
+use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
 use stiffarm::watch::Watch;
 
@@ -593,6 +596,38 @@ fn another_coupling_of_the_arm_has_no_planar_model_and_says_so() {
 }
 
 /// The forearm of a parallelogram may turn a full circle; the zeros of the joints 2 and 3 may lie whole turns apart.
+/// A range of more than a turn holds two angles of joint 3 for one stand of the forearm, and the angle between the links lets one of them be: a program
+/// that names the other winds the arm the wrong way round, or stops at its limit.
+#[test]
+fn joint_3_that_turns_further_than_once_is_reported_as_the_links_stand() {
+    let mut rng = fastrand::Rng::with_seed(3);
+    let (mut several, mut wound) = (0, 0);
+    for robot in robots() {
+        let Arm::SixAxis { limits, .. } = &robot.arm else { continue };
+        if limits.third_axis != ThirdAxis::Forearm || limits.joints[2].width() < 2.0 * PI {
+            continue;
+        }
+        several += 1;
+        for _ in 0..200 {
+            let q: [f64; 6] = std::array::from_fn(|i| {
+                let range = limits.joints[i];
+                range.min() + rng.f64() * range.width()
+            });
+            if !beyond_limits(&robot, &q).is_empty() {
+                continue;
+            }
+            let flange = compliance(&robot, &q, &Pose::identity()).unwrap().tool;
+            let found = reached(&robot, &flange);
+            for (_, other) in &found {
+                assert_eq!(beyond_limits(&robot, other), Vec::<usize>::new(), "{}: {q:?} {other:?}", robot.name);
+            }
+            assert!(found.iter().any(|(_, other)| (other[2] - q[2]).abs() < 1e-6), "{}: {q:?} {found:?}", robot.name);
+            wound += usize::from(limits.joints[2].contains(q[2] - 2.0 * PI, 0.0));
+        }
+    }
+    assert!(50 < several && 500 < wound, "{several} robots, {wound} postures");
+}
+
 #[test]
 fn whole_turns_between_the_zeros_of_joints_change_nothing() {
     let limits = |third_axis: &str| {

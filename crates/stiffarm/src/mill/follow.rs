@@ -231,7 +231,8 @@ impl Stand {
 fn turn_into_range(found: &mut [Pushed], arm: &SpatialArm) -> Result<(), usize> {
     for joint in 0..6 {
         let range = arm.limits.joints[joint];
-        if !range.is_bounded() {
+        // Other limits than its own leave joint 3 no choice.
+        if !range.is_bounded() || joint == 2 && arm.limits.third_is_wound() {
             continue;
         }
         let all = found.iter().map(|one| one.joints[joint]);
