@@ -69,10 +69,12 @@ def pendant(arm: dict) -> None:
     with (EXAMPLES / "pendant.csv").open("w", encoding="utf-8", newline="") as file:
         file.write(f"# What the pendant of a {ROBOT} would show, no base and no tool in force: computed by scripts/example_tables.py.\n")
         table = csv.writer(file, lineterminator="\n")
-        table.writerow([*joints_of(), "x_mm", "y_mm", "z_mm"])
+        table.writerow([*joints_of(), "x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"])
         for joints in TYPED:
             pose, _ = flange(arm, joints, [0] * 36, [0] * 8, [0] * 12)
-            table.writerow([*joints, *(f"{1e3 * x:.2f}" for x in pose.translation)])
+            # KUKA turns about z, then the new y, then the new x.
+            yaw, pitch, roll = np.rad2deg(pin.rpy.matrixToRpy(pose.rotation))[::-1]
+            table.writerow([*joints, *(f"{1e3 * x:.2f}" for x in pose.translation), *(f"{angle:.2f}" for angle in (yaw, pitch, roll))])
 
 
 def record(name: str, errors: dict, draw: random.Random, drawn: Stands, stands: Stands) -> None:

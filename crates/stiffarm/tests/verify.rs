@@ -103,7 +103,16 @@ fn shown(notation: Notation, r: &Matrix3<f64>) -> (&'static str, Vec<f64>) {
 
 /// The table that a controller of this robot shows, with the digits of a pendant.
 fn table(robot: &Robot, postures: &[[f64; 6]], notation: Option<Notation>) -> String {
-    let (base, tool) = frames();
+    table_in(frames(), robot, postures, notation)
+}
+
+/// The same in a base and with a tool.
+fn table_in(
+    (base, tool): (Isometry3<f64>, Isometry3<f64>),
+    robot: &Robot,
+    postures: &[[f64; 6]],
+    notation: Option<Notation>,
+) -> String {
     let mut text =
         String::from("joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg,x_mm,y_mm,z_mm");
     for (i, q) in postures.iter().enumerate() {
@@ -300,6 +309,59 @@ fn a_base_that_is_given_shows_the_zero_of_joint_1() {
     let found = verify(&file, &readings, &options, &[], Watch::nobody()).unwrap();
     let (mine, _) = found.robot_file("2026-05-31").unwrap();
     assert!((parts(&mine).0.offset[0] - parts(&robot).0.offset[0]).abs() < 1e-5 && !found.verified);
+}
+
+/// The point of the flange lies on axis 6: whatever that joint does, it stands where it stood. The orientation shows it.
+#[test]
+fn a_flange_without_its_orientation_verifies_no_joint_6() {
+    let file = kuka();
+    let none = (Isometry3::identity(), Isometry3::identity());
+    let options = VerifyOptions { base: Some(none.0), tool: Some(none.1) };
+    let turned = with(&file, |geometry, _| geometry.sign[5] *= -1.0);
+    for (robot, notation, agrees) in [
+        (&file, None, true),
+        (&turned, None, true),
+        (&file, Some(Notation::Abc), true),
+        (&turned, Some(Notation::Abc), false),
+    ] {
+        let readings = readings(&table_in(none, robot, &POSTURES, notation), "KUKA");
+        let found = verify(&file, &readings, &options, &[], Watch::nobody()).unwrap();
+        assert_eq!(found.as_file.agrees(), agrees, "{notation:?}");
+        assert_eq!(found.verified, agrees && notation.is_some(), "{notation:?}: {:?}", found.alike);
+        if notation.is_none() {
+            let [one] = found.alike.as_slice() else { panic!("{:?}", found.alike) };
+            assert!(one.starts_with("the sign of joint 6 (no posture would") && found.postures.is_empty(), "{one}");
+            assert_eq!(found.zeros_not_seen, [6]);
+            let (mine, _) = found.robot_file("2026-05-31").unwrap();
+            assert_eq!(mine.pendant(), Some(&Pendant::Unknown));
+        } else {
+            assert!(found.zeros_not_seen.is_empty());
+        }
+    }
+    let fitted = asked(&file, &readings(&table(&file, &POSTURES, Some(Notation::Abc)), "KUKA"));
+    assert_eq!((fitted.verified, fitted.zeros_not_seen), (true, vec![1, 6]), "base and tool take them up");
+}
+
+/// One zero is off by 0.005 deg, 0.2 mm at the flange: that one is told, and nothing of the others is changed.
+#[test]
+fn of_a_small_fault_no_more_is_told_than_is_there() {
+    let file = kuka();
+    let none = (Isometry3::identity(), Isometry3::identity());
+    let options = VerifyOptions { base: Some(none.0), tool: Some(none.1) };
+    let robot = with(&file, |geometry, _| geometry.offset[1] += 0.005_f64.to_radians());
+    let readings = readings(&table_in(none, &robot, &POSTURES, Some(Notation::Abc)), "KUKA");
+    let found = verify(&file, &readings, &options, &[], Watch::nobody()).unwrap();
+    assert!(!found.verified && found.wrong_row.is_none());
+    let (geometry, limits) = parts(&file);
+    let own = stiffarm::verify::Convention::of(&geometry, &limits);
+    assert_eq!(found.fits[0].1.convention.differences(&own), ["zero of joint 2 is +0.005 deg off"]);
+    let (mine, remarks) = found.robot_file("2026-05-31").unwrap();
+    let (offset, before) = (parts(&mine).0.offset, geometry.offset);
+    assert!((0..6).all(|i| i == 1 || offset[i] == before[i]) && remarks.len() == 1, "{offset:?} {remarks:?}");
+    assert!(
+        mine.source["pendant"].ends_with("against the file before them zero of joint 2 is +0.005 deg off"),
+        "{mine:?}"
+    );
 }
 
 #[test]

@@ -40,8 +40,18 @@ const MOST_SHOWN: usize = 10;
 impl VerifyAnswer {
     /// As JSON.
     pub fn json(&self) -> Value {
-        let Verification { robot, as_file, fits, alike, postures, wrong_row, rows, is_measured, verified } =
-            &self.found;
+        let Verification {
+            robot,
+            as_file,
+            fits,
+            alike,
+            zeros_not_seen,
+            postures,
+            wrong_row,
+            rows,
+            is_measured,
+            verified,
+        } = &self.found;
         let degrees = |q: &[f64; 6]| q.map(|angle| rounded(Unit::Degree.of_si(angle)));
         let mut answer = Record::of(&shape::VERIFICATION);
         answer
@@ -56,6 +66,7 @@ impl VerifyAnswer {
             .put(field::POINTS_SEEN, points(as_file))
             .put(field::FITS, fits.iter().map(record).collect::<Datum>())
             .put(field::ALIKE, json!(alike))
+            .put(field::ZEROS_NOT_SEEN, json!(zeros_not_seen))
             .put(field::POSTURES_TO_READ, postures.iter().map(|q| json!(degrees(q))).collect::<Value>())
             .put(field::WRONG_ROW, wrong_row.map(wrong_reading));
         with_schema("robots verify", "the frame of the readings", &answer)
@@ -70,13 +81,13 @@ impl VerifyAnswer {
     pub fn summary(&self) -> Table {
         let Verification { robot, as_file, rows, is_measured, verified, fits, wrong_row, .. } = &self.found;
         let verdict = match (verified, as_file.agrees()) {
-            (true, _) => "verified: the file counts the joints as they were read",
-            (false, true) => "agrees, NOT verified: other ways of counting the joints fit as well",
-            (false, false) if wrong_row.is_some() => "NOT verified: one row is off",
+            (true, _) => format!("verified: the file counts the joints as they were read{}", self.not_seen()),
+            (false, true) => "agrees, NOT verified: other ways of counting the joints fit as well".into(),
+            (false, false) if wrong_row.is_some() => "NOT verified: one row is off".into(),
             (false, false) if fits.iter().any(|(_, fit)| fit.agrees()) => {
-                "NOT verified: the file does not fit, but another way of counting does"
+                "NOT verified: the file does not fit, but another way of counting does".into()
             }
-            (false, false) => "NOT verified: no way of counting the joints fits",
+            (false, false) => "NOT verified: no way of counting the joints fits".into(),
         };
         let kind = if *is_measured { "measured postures" } else { "postures read from the pendant" };
         let mut lines = vec![
@@ -103,6 +114,16 @@ impl VerifyAnswer {
         )
     }
 
+    /// Which zeros a fitted base or tool takes up.
+    fn not_seen(&self) -> String {
+        let joints: Vec<String> = self.found.zeros_not_seen.iter().map(usize::to_string).collect();
+        match joints.as_slice() {
+            [] => String::new(),
+            [one] => format!("; the zero of joint {one} was not looked at"),
+            several => format!("; the zeros of joints {} were not looked at", several.join(" and ")),
+        }
+    }
+
     /// The ways of counting that fit best; none where the file does.
     pub fn table(&self) -> Option<Table> {
         (!self.found.as_file.agrees() && self.found.wrong_row.is_none()).then(|| table(&self.found.fits))
@@ -110,7 +131,7 @@ impl VerifyAnswer {
 
     /// What follows from it.
     pub fn notes(&self) -> String {
-        let Verification { as_file, fits, alike, postures, wrong_row, .. } = &self.found;
+        let Verification { as_file, fits, alike, zeros_not_seen, postures, wrong_row, .. } = &self.found;
         let mut notes = Vec::new();
         if let Some((line, off)) = wrong_row {
             let off = fixed(Unit::Millimetre.of_si(*off), 2);
@@ -120,6 +141,9 @@ impl VerifyAnswer {
         }
         if !alike.is_empty() {
             notes.push(format!("These readings do not tell apart: {}.\n", alike.join(", ")));
+        }
+        if as_file.agrees() && !zeros_not_seen.is_empty() {
+            notes.push("Zeros not looked at: --base-mm shows that of joint 1, --tool-mm beside readings of the orientation that of joint 6.\n".into());
         }
         if !postures.is_empty() {
             notes.push("Postures that would, if the cell lets the robot go there:\n".into());

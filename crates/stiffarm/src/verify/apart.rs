@@ -20,6 +20,10 @@ const ROUND: f64 = 5.0;
 /// Another way of counting is distinguished where it is off by so many times what agrees.
 const CLEARLY: f64 = 4.0;
 
+/// What tells nothing of a joint wherever it stands.
+const HIDDEN: &str =
+    "no posture would: what is read lies on its axis; read the orientation, too, or with a tool off the axis";
+
 /// So many numbers must be read beyond those that base, tool and zeros can fit.
 const SPARE: isize = 3;
 
@@ -37,21 +41,21 @@ pub(super) fn apart(
     (geometry, limits): (&Geometry, &Limits),
     fit: &Fit,
 ) -> (Vec<String>, Vec<[f64; 6]>) {
-    let mut left = rivals(table, geometry, limits, fit);
+    let candidates = candidates(limits, geometry, &fit.convention);
+    let (mut left, hidden): (Vec<Rival>, Vec<Rival>) = rivals(table, geometry, &candidates, fit)
+        .into_iter()
+        .partition(|rival| candidates.iter().any(|q| is_seen(fit.apart_from(&rival.fit, geometry, q))));
     let mut what: Vec<String> = left.iter().map(|rival| rival.what.clone()).collect();
+    what.extend(hidden.iter().map(|rival| format!("{} ({HIDDEN})", rival.what)));
     if table.spare() < SPARE {
         what.insert(0, format!("much: base, tool and zeros alone can fit {} rows", table.len()));
     }
     let mut postures = Vec::new();
     let mut readings = table.readings.clone();
-    let candidates = candidates(limits, geometry, &fit.convention);
     let is_short = table.spare() < SPARE;
     while (!left.is_empty() || is_short) && postures.len() < REPORTED {
         let off = |q: &[f64; 6]| {
-            let each = left.iter().map(|rival| {
-                let [a, b] = [fit.expected(geometry, q), rival.fit.expected(geometry, q)];
-                (a.translation.vector - b.translation.vector).norm().min(0.1)
-            });
+            let each = left.iter().map(|rival| fit.apart_from(&rival.fit, geometry, q).0.min(0.1));
             each.fold((0.0, f64::INFINITY), |(sum, least): (f64, f64), x| (sum + x, least.min(x)))
         };
         let score = |q: &[f64; 6]| {
@@ -87,12 +91,16 @@ fn unresolved(rivals: Vec<Rival>, readings: &Readings, options: &VerifyOptions, 
 
 impl Fit {
     fn is_clearly_off(&self) -> bool {
-        let turn = self.largest_turn.is_some_and(|turn| CLEARLY * super::fit::AGREED_TURN < turn);
-        CLEARLY * super::fit::AGREED < self.largest || turn
+        is_seen((self.largest, self.largest_turn.unwrap_or(0.0)))
     }
 }
 
-fn rivals(table: &Table, geometry: &Geometry, limits: &Limits, fit: &Fit) -> Vec<Rival> {
+/// Clearly more than what agrees.
+fn is_seen((distance, turn): (f64, f64)) -> bool {
+    CLEARLY * super::fit::AGREED < distance || CLEARLY * super::fit::AGREED_TURN < turn
+}
+
+fn rivals(table: &Table, geometry: &Geometry, candidates: &[[f64; 6]], fit: &Fit) -> Vec<Rival> {
     let free = table.free();
     let mean = |i: usize| table.sights.iter().map(|sight| sight.q[i]).sum::<f64>() / table.sights.len() as f64;
     let own = &fit.convention;
@@ -114,13 +122,13 @@ fn rivals(table: &Table, geometry: &Geometry, limits: &Limits, fit: &Fit) -> Vec
         let fit = table.fit(geometry, &start, &free);
         Rival { what, start, free, fit }
     });
-    // What stands at the same places at all joint angles is the same way of counting, said otherwise.
-    let probes = candidates(limits, geometry, own);
+    // Flanges that at all joint angles are the same shift and turn apart, which a tool takes up, are one way of counting, said twice.
     let is_other = |rival: &Rival| {
-        probes.iter().take(20).any(|q| {
-            let [a, b] = [fit.expected(geometry, q), rival.fit.expected(geometry, q)];
-            1e-4 < (a.translation.vector - b.translation.vector).norm()
-                || (fit.tool.is_some() && 1e-4 < a.rotation.angle_to(&b.rotation))
+        let between = |q: &[f64; 6]| fit.flange(geometry, q).inverse() * rival.fit.flange(geometry, q);
+        let probes = &candidates[..candidates.len().min(20)];
+        probes.windows(2).any(|pair| {
+            let changed = between(&pair[0]).inverse() * between(&pair[1]);
+            1e-4 < changed.translation.vector.norm() || 1e-4 < changed.rotation.angle()
         })
     };
     let fits_as_well = |rival: &Rival| {

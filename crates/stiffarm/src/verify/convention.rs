@@ -86,8 +86,8 @@ impl Convention {
 
     /// In how much it differs from another, in words; nothing where it does not.
     pub fn differences(&self, other: &Self) -> Vec<String> {
-        /// rad: zeros that are no more apart are the same.
-        const SAME: f64 = 1e-4;
+        /// rad: zeros that are no more apart are the same, as they are shown.
+        const SAME: f64 = 0.0005 * std::f64::consts::PI / 180.0;
         let mut found = Vec::new();
         if self.third_axis != other.third_axis {
             found.push(match self.third_axis {

@@ -66,10 +66,20 @@ impl Fit {
         self.convention.differences(file).len() + usize::from(leans) + usize::from(is_behind)
     }
 
-    /// Where the tool is expected, seen from the first stand.
-    pub(super) fn expected(&self, geometry: &Geometry, q: &[f64; 6]) -> Pose {
-        let tool = self.tool.unwrap_or_else(|| Pose::translation(self.points[0].x, self.points[0].y, self.points[0].z));
-        self.bases[0] * self.convention.chain(geometry, &[], &[], q).flange * tool
+    /// Where the flange is expected, seen from the first stand.
+    pub(super) fn flange(&self, geometry: &Geometry, q: &[f64; 6]) -> Pose {
+        self.bases[0] * self.convention.chain(geometry, &[], &[], q).flange
+    }
+
+    /// How far what is read at these joints differs from what another fit expects there: the largest distance of a point, m, and the turn of
+    /// the tool, rad, 0 where no orientation is read.
+    pub(super) fn apart_from(&self, other: &Self, geometry: &Geometry, q: &[f64; 6]) -> (f64, f64) {
+        let [a, b] = [self, other].map(|fit| fit.flange(geometry, q));
+        let points = self.points.iter().zip(&other.points);
+        let distances = points.map(|(p, q)| (a * Point3::from(*p) - b * Point3::from(*q)).norm());
+        let turn =
+            self.tool.zip(other.tool).map_or(0.0, |(own, tool)| (a * own).rotation.angle_to(&(b * tool).rotation));
+        (distances.fold(0.0, f64::max), turn)
     }
 }
 

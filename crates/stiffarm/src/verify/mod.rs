@@ -55,6 +55,8 @@ pub struct Verification {
     pub alike: Vec<String>,
     /// Postures that would tell it, joint angles as reported, rad.
     pub postures: Vec<[f64; 6]>,
+    /// Joints, 1 to 6, whose zeros a base or a tool that is fitted takes up, so that nothing is known of them.
+    pub zeros_not_seen: Vec<usize>,
     /// The row that is off where all others agree: its line in the file, and by how much, m.
     pub wrong_row: Option<(usize, f64)>,
     /// How many rows were read.
@@ -109,6 +111,7 @@ pub fn verify(
         verified: false,
         alike: Vec::new(),
         postures: Vec::new(),
+        zeros_not_seen: (0..6).filter(|joint| !table.free().contains(joint)).map(|joint| joint + 1).collect(),
         wrong_row: None,
         rows: readings.rows.len(),
         is_measured: readings.is_measured,
@@ -250,7 +253,15 @@ impl Verification {
     /// shows what the file says, and by how much the arm is off.
     pub fn robot_file(&self, date: &str) -> Option<(Robot, Vec<String>)> {
         let (robot, fit) = self.written_of()?;
+        let differences = six_axis(robot)
+            .map_or_else(Vec::new, |(geometry, limits)| fit.convention.differences(&Convention::of(geometry, limits)));
         let (mut robot, mut remarks) = fit.convention.written(robot);
+        if !differences.is_empty() {
+            // What was said of the way of counting before holds no longer.
+            let (rows, differences) = (self.rows, differences.join(", "));
+            let source = format!("{rows} postures of {date}; against the file before them {differences}");
+            robot.source.insert(crate::limits::PENDANT_SOURCE.into(), source);
+        }
         let Arm::SixAxis { limits, .. } = &mut robot.arm else { return None };
         if !self.alike.is_empty() {
             limits.pendant = Pendant::Unknown;

@@ -57,7 +57,7 @@ pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch:
     Ok(found)
 }
 
-/// With its zeros fitted, and those that fit as well a quarter turn from the file's put there.
+/// With its zeros at the file's or a quarter turn from it, but for as few as must stand elsewhere.
 fn settled(table: &Table, geometry: &Geometry, (convention, file): (&Convention, &Convention), free: &[usize]) -> Fit {
     let fitted = table.fit(geometry, convention, free);
     let mut rounded = fitted.convention.clone();
@@ -69,7 +69,15 @@ fn settled(table: &Table, geometry: &Geometry, (convention, file): (&Convention,
         }
     }
     let held = table.fit(geometry, &rounded, &[]);
-    if held.agrees() { held } else { fitted }
+    if held.agrees() || !fitted.agrees() {
+        return if held.agrees() { held } else { fitted };
+    }
+    let pairs = free.iter().enumerate().flat_map(|(at, &i)| free[at + 1..].iter().map(move |&j| vec![i, j]));
+    let few = free.iter().map(|&i| vec![i]).chain(pairs);
+    let released = few.map(|few| table.fit(geometry, &rounded, &few)).filter(Fit::agrees);
+    // Of equally many the closest.
+    let size = |fit: &Fit| fit.convention.differences(&rounded).len();
+    released.min_by(|a, b| size(a).cmp(&size(b)).then(a.rms.total_cmp(&b.rms))).unwrap_or(fitted)
 }
 
 /// Every sign of every joint, both lines of joint 3, and quarter turns of the joints 2, 3 and 5.

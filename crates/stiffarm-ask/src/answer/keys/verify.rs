@@ -17,6 +17,7 @@ fields! {
     DIFFERENCES: "differences", Kind::List(&Kind::Text), "In what it differs from its robot file, in words.";
     DIFFERS: "differs", Kind::Text, "The same in a line.";
     ALIKE: "alike", Kind::List(&Kind::Text), "What the readings do not tell apart, in words.";
+    ZEROS_NOT_SEEN: "zeros_not_seen", Kind::List(&Kind::Count), "Joints whose zeros were not looked at, as a base or a tool that is fitted takes them up.";
     POSTURES_TO_READ: "postures_deg", Kind::List(&Kind::List(&Kind::Number(Unit::Given("deg")))), "Postures that would tell it apart: joint angles.";
     WRONG_ROW: "wrong_row", Kind::Object, "The row that is off where all others agree: its line in the file and its distance, mm; null where there is none.";
 }
@@ -26,7 +27,7 @@ shapes! {
         &[slots![VERIFIED, READ_ROWS, FITS => WAY_OF_COUNTING]];
     VERIFICATION: "VerificationDict", "What `robots verify` answers of a robot.", &[slots![
         ROBOT, VERIFIED, READ_ROWS, MEASURED_POINTS, LARGEST_OFF, OFF, LARGEST_TURN | null, BASE_SEEN, POINTS_SEEN,
-        FITS => WAY_OF_COUNTING, ALIKE, POSTURES_TO_READ, WRONG_ROW | null => WRONG_READING,
+        FITS => WAY_OF_COUNTING, ALIKE, ZEROS_NOT_SEEN, POSTURES_TO_READ, WRONG_ROW | null => WRONG_READING,
     ]];
     WAY_OF_COUNTING: "WayOfCounting", "A way of counting the joints.", &[slots![
         ROBOT, VENDOR, THIRD_AXIS, SIGN, ZERO, CARRIED, OFF, LARGEST_OFF, LARGEST_TURN | null, DIFFERS, DIFFERENCES,
