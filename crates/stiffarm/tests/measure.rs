@@ -73,6 +73,37 @@ fn drives_that_the_loads_do_not_show_are_named_and_the_others_planned() {
     assert!(found.errors[1..].iter().all(Option::is_some) && 0.9 < found.efficiency());
 }
 
+/// A table with loads to the left tells of drive 1, which weights do not: judged by the other drives alone it would be worth far too little.
+#[test]
+fn a_table_that_shows_more_than_the_plan_is_not_judged_by_less() {
+    let robot = kuka();
+    let down = Options { ways: vec![way("down", [0.0, 0.0, -1.0])], ..usual() };
+    let both = Options { ways: vec![way("down", [0.0, 0.0, -1.0]), way("left", [0.0, 1.0, 0.0])], ..usual() };
+    let found = plan(&robot, &both, Watch::nobody()).unwrap();
+    let own: Vec<_> = found.runs.iter().map(|run| (run.q, run.load)).collect();
+    let judged = compare(&robot, &down, &own, Watch::nobody());
+    assert_eq!(judged, Err(MeasureError::Beyond { drive: 1, by: Some("left") }));
+    assert!(judged.unwrap_err().to_string().contains("(left)"));
+    // Weights that hang a little askew are weights.
+    let askew = |(q, load): (_, Wrench)| (q, Wrench(load.0 + Wrench::force(Vector3::new(0.0, 0.05, 0.0)).0));
+    let weights = plan(&robot, &down, Watch::nobody()).unwrap();
+    let own: Vec<_> = weights.runs.iter().map(|run| askew((run.q, run.load))).collect();
+    assert!(compare(&robot, &down, &own, Watch::nobody()).is_ok());
+}
+
+/// Ten markers at one place err together by what the model misses: they are one marker that is read ten times as often.
+#[test]
+fn markers_of_a_posture_share_what_the_model_misses() {
+    let robot = kuka();
+    let at = Vector3::new(0.0, 0.1, 0.25);
+    let of = |markers: usize, sigma: f64| {
+        let options = Options { markers: vec![at; markers], sigma, posture_sigma: 1e-4, ..usual() };
+        plan(&robot, &options, Watch::nobody()).unwrap().value
+    };
+    let [ten, one] = [of(10, 2e-5), of(1, 2e-5 / 10_f64.sqrt())];
+    assert!((ten / one - 1.0).abs() < 1e-9, "{ten:e} {one:e}");
+}
+
 /// Drive 1 under weights: by hand its column moves the tool by `r` times the lever of the force, both the distance from the joint-1 axis, so that a
 /// force across gives `k r^2` and none along the axis or the radius does: `W_11 = mean of r^4 / 3`. With a standard deviation s of ln k
 /// factors are off from 1 by `e^(2 s^2) - 2 e^(s^2 / 2) + 1` in the mean square. With a load that shows the drive

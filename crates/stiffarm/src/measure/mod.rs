@@ -87,7 +87,7 @@ pub struct Options {
     pub markers: Vec<Vector3<f64>>,
     /// Noise of a coordinate, m.
     pub sigma: f64,
-    /// What the model misses of a coordinate in a posture, the same in every run of it, m.
+    /// What the model misses of a coordinate in a posture, alike for all markers and the same in every run of it, m.
     pub posture_sigma: f64,
     /// How many runs.
     pub runs: usize,
@@ -219,6 +219,17 @@ pub enum MeasureError {
     /// A run that is compared is no posture of the robot.
     #[error("the runs that are compared do not show every drive that the candidates show: drive {0} is missing")]
     Blind(usize),
+    /// Runs that are compared show more than the candidates do.
+    #[error(
+        "the runs that are compared show drive {drive}, which the loads of the plan do not: give loads that do{}, so that both are judged by the same drives",
+        by.map_or_else(String::new, |by| format!(" ({by})"))
+    )]
+    Beyond {
+        /// Which, from 1.
+        drive: usize,
+        /// In which direction to load so that the candidates show it, too.
+        by: Option<&'static str>,
+    },
     /// The work is no longer wanted.
     #[error(transparent)]
     Stopped(#[from] Stopped),
@@ -255,8 +266,10 @@ pub fn own(planned: &Measurements) -> Vec<OwnRun> {
 /// What a plan of one's own is worth among the same candidates: its value and efficiency.
 ///
 /// # Errors
-/// As [`plan`], and where it does not show a drive that the candidates show.
+/// As [`plan`], and where it shows other drives than the candidates do.
 pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) -> Result<(f64, f64), MeasureError> {
+    /// Of what the drive that is shown best is told: less is a load that stands a little askew.
+    const SHOWN: f64 = 1e-6;
     let parts = watch.parts(None);
     let found = Search::of(robot, options, &parts)?;
     let shares = found.shares(&parts)?;
@@ -268,6 +281,11 @@ pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) 
             None => postures.push((*q, of_run, 1)),
         }
     }
+    let most = postures.iter().map(|(_, sum, _)| sum).sum::<Matrix6<f64>>().diagonal();
+    let is_shown = |drive: usize| SHOWN * most.max() < most[drive];
+    if let Some(beyond) = found.unseen.iter().find(|unseen| is_shown(unseen.drive)) {
+        return Err(MeasureError::Beyond { drive: beyond.drive + 1, by: beyond.shown_by });
+    }
     let repeats = options.repeats();
     let matrix: Matrix6<f64> = postures.iter().map(|(_, sum, count)| sum * repeats.shrunk(*count)).sum();
     let shown = found.kept.value(&matrix).ok_or_else(|| MeasureError::Blind(found.weakest(&matrix)))?;
@@ -278,8 +296,18 @@ pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) 
 impl Options {
     /// How often a posture may be run, and what it then tells.
     fn repeats(&self) -> Repeats {
-        let [reading, posture] = [self.sigma, self.posture_sigma].map(|sigma| sigma.powi(2));
-        Repeats { ways: self.ways.len().max(1), most: self.repeats, share: posture / (reading + posture) }
+        Repeats { ways: self.ways.len().max(1), most: self.repeats, share: self.missed() / self.variance() }
+    }
+
+    /// What the markers of a run miss together, m^2: of m that err alike the mean errs as each of them does.
+    fn missed(&self) -> f64 {
+        self.markers.len().max(1) as f64 * self.posture_sigma.powi(2)
+    }
+
+    /// By which the readings of a run are weighed, m^2. No covariance of m markers that err by `sigma` each for itself and by `posture_sigma`
+    /// together is larger than `sigma^2 + m posture_sigma^2`, however alike the markers err.
+    fn variance(&self) -> f64 {
+        self.sigma.powi(2) + self.missed()
     }
 }
 
@@ -287,7 +315,7 @@ impl Options {
 fn information(robot: &Robot, q: &[f64; 6], load: &Wrench, options: &Options) -> Result<Matrix6<f64>, MeasureError> {
     let columns = columns(robot, q, load, (options.load_at, &options.markers))?;
     let sum = columns.iter().flatten().map(|row| row * row.transpose()).sum::<Matrix6<f64>>();
-    Ok(sum / (options.sigma.powi(2) + options.posture_sigma.powi(2)))
+    Ok(sum / options.variance())
 }
 
 /// Of every marker three rows: by how much each coordinate grows with the compliance of each drive, m per rad/(N m).

@@ -95,7 +95,7 @@ pub fn geometry_plan(robot: &Robot, options: &Options, watch: Watch) -> Result<G
     let sensitivity = Sensitivity { frames: &frames, prior: prior_of_errors(scale), markers: &options.markers };
     let seen = sensitivity.rows(work, &options.markers[..1]);
     let weight = squares(&seen.transpose(), |_| 1.0) / work.len() as f64;
-    let noise = options.sigma.hypot(options.posture_sigma);
+    let noise = options.variance().sqrt();
     let sensitivities = sensitivity.rows(&candidates, &options.markers).transpose() / noise;
     let choice = Choice { sensitivities, each: 3 * options.markers.len(), weight };
     let (bound, shares) = choice.bound(options.runs, &parts)?;
