@@ -47,9 +47,10 @@ impl<'a> Question<'a> {
     }
 
     /// A first judgement, by the level that has the arm's weight: from a state as drawn and the median distance there, m.
-    pub(super) fn sound(&self, start: State, off: f64) -> Sound {
+    pub(super) fn sound(&self, start: State, off: f64) -> Result<Sound, CalibrateError> {
         let noise = robust::noise_of(off).max(1e-6);
-        robust::sound(self.rows(self.sights, LEVER), &Level::Weight.prior(SCALE, None), (start, noise))
+        let found = robust::sound(self.rows(self.sights, LEVER), &Level::Weight.prior(SCALE, None), (start, noise));
+        found.ok_or(CalibrateError::Undetermined)
     }
 
     /// From which row on the instrument stands elsewhere, and how far, m. Of all rows: those before it or from it on may be too few
@@ -91,7 +92,8 @@ impl<'a> Question<'a> {
             let (rows, fitted) = (found.rows(best), &found.fits[best]);
             let is_by_masses = rows.drives.is_some();
             let all = Rows { arm: rows.arm, drives: rows.drives, ..self.rows(self.sights, rows.lever) };
-            let again = robust::sound(all, &fitted.prior, (fitted.state.clone(), fitted.noise));
+            let again = robust::sound(all, &fitted.prior, (fitted.state.clone(), fitted.noise))
+                .ok_or(CalibrateError::Undetermined)?;
             if again.wrong == found.sound.wrong && by == (fitted.level, is_by_masses) {
                 break;
             }

@@ -239,7 +239,7 @@ pub fn calibrate(
         shape,
         watch,
     };
-    let sound = question.sound(start, as_drawn);
+    let sound = question.sound(start, as_drawn)?;
     watch.go_on()?;
     let moved = question.moved(&sound)?.map(|(row, far)| (lines[row], far));
     let of: usize = sights.iter().map(|sight| sight.points.iter().flatten().count()).sum();

@@ -93,7 +93,9 @@ pub(super) fn noise_of(off: f64) -> f64 {
 /// Weights, noise and wrong rows under a prior, of all rows, from a state and a noise near theirs.
 ///
 /// Rows that are wrong take part with their small weights: none is judged by whether it was left out before.
-pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (State, f64)) -> Sound {
+///
+/// Nothing where rows and prior leave a parameter open.
+pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (State, f64)) -> Option<Sound> {
     const ROUNDS: usize = 25;
     let all = rows.sights.clone();
     for _ in 0..ROUNDS {
@@ -103,7 +105,7 @@ pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (Stat
         state = next;
         let middle = median(distances(&linear).into_iter().map(|(_, _, off)| off).collect());
         // What was fitted has taken its part of every distance.
-        let fitted = rows.spare_share(&linear, &state, (prior, noise)).unwrap_or(1.0);
+        let fitted = rows.spare_share(&linear, &state, (prior, noise))?;
         let next_noise = (noise_of(middle) / fitted.sqrt()).max(1e-7);
         rows.lever = balanced(&linear, rows.lever, next_noise);
         let is_settled = (next_noise / noise - 1.0).abs() < 1e-3;
@@ -124,7 +126,7 @@ pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (Stat
     }
     let index: Vec<usize> = (0..kept.len()).filter(|&i| kept[i].points.iter().any(Option::is_some)).collect();
     let sights = index.iter().map(|&i| kept[i].clone()).collect();
-    Sound { sights, every, state, noise, lever: rows.lever, index, wrong }
+    Some(Sound { sights, every, state, noise, lever: rows.lever, index, wrong })
 }
 
 /// Points of a row that all are wrong are reported as one.
