@@ -98,10 +98,7 @@ impl Reader<'_> {
                     once.is_call = true;
                 }
                 Auxiliary::Return => self.calls.give_back(block)?,
-                Auxiliary::Turns(is_clockwise) => {
-                    self.machine.is_clockwise = Some(is_clockwise);
-                    self.inert(1, code, line);
-                }
+                Auxiliary::Turns(is_clockwise) => self.machine.is_clockwise = Some(is_clockwise),
                 Auxiliary::Inert => self.inert(1, code, line),
                 Auxiliary::Refused(why) => return Err(Wrong::new(named('M', code), why)),
             }
