@@ -8,13 +8,26 @@ const REACH_MAY_DIFFER: f64 = 0.01;
 /// Offsets of real arms are rarely as short as this, m, and lengths in metres always are.
 const SHORT: f64 = 5e-3;
 
+/// Joints of industrial arms turn this fast, deg/s; in rad/s, or taken for rad/s, they lie outside.
+const SPEEDS: [f64; 2] = [10.0, 2000.0];
+
 /// Remarks on a robot that can be used, each a sentence that names its key.
 pub fn warnings(robot: &Robot) -> Vec<String> {
     let mut warnings = Vec::new();
     if robot.payload_kg.is_none() {
         warnings.push("payload_kg is missing: no choice by payload will find this robot".into());
     }
-    if let Arm::SixAxis { geometry, .. } = &robot.arm {
+    if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
+        let speeds = limits.speeds.iter().flatten().map(|speed| speed.to_degrees());
+        if let Some((i, speed)) = speeds.enumerate().find(|(_, speed)| *speed < SPEEDS[0] || SPEEDS[1] < *speed) {
+            let tidy = (speed * 1e3).round() / 1e3;
+            warnings.push(format!(
+                "speed_deg_per_s of joint {} is {tidy}: is that the unit? joints turn by {} to {} deg/s",
+                i + 1,
+                SPEEDS[0],
+                SPEEDS[1]
+            ));
+        }
         let lengths =
             [("a1", geometry.a1), ("a2", geometry.a2), ("b", geometry.b), ("c1", geometry.c1), ("c4", geometry.c4)];
         for (name, m) in lengths.into_iter().filter(|(_, m)| *m != 0.0 && m.abs() < SHORT) {
@@ -60,6 +73,10 @@ mod tests {
         let geometry = crate::geometry::Geometry { b: -0.0015, ..geometry };
         let offset = warnings(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });
         assert_eq!(offset, ["b_mm is -1.5 mm: is that the unit? if it is in m, write -1500"]);
+        let Arm::SixAxis { geometry, mut limits, drives } = kuka.arm.clone() else { unreachable!("six axes") };
+        limits.speeds = Some([2.0_f64, 1.9, 2.1, 3.1, 3.0, 3.8].map(f64::to_radians));
+        let slow = warnings(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });
+        assert_eq!(slow, ["speed_deg_per_s of joint 1 is 2: is that the unit? joints turn by 10 to 2000 deg/s"]);
         let silent = Robot { reach: None, payload_kg: None, ..kuka.clone() };
         assert!(warnings(&silent).len() == 1 && warnings(&silent)[0].starts_with("payload_kg is missing"));
     }
