@@ -72,12 +72,13 @@ fn settled(table: &Table, geometry: &Geometry, (convention, file): (&Convention,
     if held.agrees() || !fitted.agrees() {
         return if held.agrees() { held } else { fitted };
     }
-    let pairs = free.iter().enumerate().flat_map(|(at, &i)| free[at + 1..].iter().map(move |&j| vec![i, j]));
-    let few = free.iter().map(|&i| vec![i]).chain(pairs);
-    let released = few.map(|few| table.fit(geometry, &rounded, &few)).filter(Fit::agrees);
-    // Of equally many the closest.
-    let size = |fit: &Fit| fit.convention.differences(&rounded).len();
-    released.min_by(|a, b| size(a).cmp(&size(b)).then(a.rms.total_cmp(&b.rms))).unwrap_or(fitted)
+    let single = free.iter().map(|&i| vec![i]).collect();
+    let pairs = free.iter().enumerate().flat_map(|(at, &i)| free[at + 1..].iter().map(move |&j| vec![i, j])).collect();
+    let released = [single, pairs].into_iter().find_map(|few: Vec<Vec<usize>>| {
+        let fits = few.iter().map(|few| table.fit(geometry, &rounded, few)).filter(Fit::agrees);
+        fits.min_by(|a, b| a.rms.total_cmp(&b.rms))
+    });
+    released.unwrap_or(fitted)
 }
 
 /// Every sign of every joint, both lines of joint 3, and quarter turns of the joints 2, 3 and 5.
