@@ -107,6 +107,37 @@ fn job_files_say_what_is_not_the_same_of_both() {
     assert_eq!(json(Path::new("/"), &["compare", &folder.path().join("both.toml").to_string_lossy()]), both);
 }
 
+/// What differs is called by its name; who is estimated or not to be taken has no chance, and equal setups have equal ones.
+#[test]
+fn what_differs_is_named_and_chances_are_of_those_that_may_be_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let heavy = |name: &str, kg: u32| {
+        let text = format!("verb = 'place'\nrobot = 'KR 210 R2700 extra'\ntool-mass-kg = {kg}\n");
+        fs::write(folder.path().join(name), text).unwrap();
+    };
+    heavy("light.toml", 20);
+    heavy("heavy.toml", 50);
+    heavy("beyond.toml", 400);
+    let asked = ["--task", "A:0.3", "--force-n", "200", "--stiffness", "prior"];
+    let compared =
+        |a: &str, b: &str, more: &[&str]| json(folder.path(), &[&["compare", a, b], &asked[..], more].concat());
+    let both = compared("light.toml", "heavy.toml", &[]);
+    assert_eq!(both["differ_in"], serde_json::json!(["tool mass"]));
+    assert_eq!(both["win_probability"], serde_json::json!([0.5, 0.5]));
+    assert_eq!(compared("light.toml", "beyond.toml", &[])["win_probability"], Value::Null);
+    let estimated = compared("ZX200U", "BT200L", &[]);
+    assert_eq!(estimated["win_probability"], Value::Null);
+    assert!(estimated["summary"].to_string().contains("numbers of A (Kawasaki ZX200U) are estimated"), "{estimated}");
+    fs::write(folder.path().join("normal.toml"), "verb = 'place'\nrobot = 'BT200L'\ncomponent = 'normal'\n").unwrap();
+    let space = ["--model", "spatial", "--tool-mm", "0,0,200", "--at", "1.5,0.8"];
+    let normal = compared("normal.toml", "BT200L", &space);
+    assert_eq!(normal["differ_in"], serde_json::json!(["component"]));
+    assert!(normal["summary"].to_string().contains("They are asked different things (component)"), "{normal}");
+    let too_large = ["compare", "BT200L", "BT200L", "--task", "A:9"];
+    let none = json(folder.path(), &too_large);
+    assert!(none["ratio"] == Value::Null && !none["summary"].to_string().contains("the ratio compares"), "{none}");
+}
+
 #[test]
 fn what_cannot_be_compared_is_refused_by_name() {
     let folder = tempfile::tempdir().unwrap();

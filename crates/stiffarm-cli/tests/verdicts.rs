@@ -179,6 +179,31 @@ fn a_robot_that_may_not_carry_the_tool_is_not_to_be_taken() {
     assert!(!words(&compared, &weighs("20")).contains("may not carry"));
 }
 
+/// The stiffest robot may carry 200 kg, tool and force are 205: the best of the others is taken, and the stiffest is named as passed over.
+#[test]
+fn the_best_is_the_best_of_those_that_may_be_taken() {
+    let ranked = ["rank", "--robots", "KR 210 R2700 extra,IRB 6650S-200,BT200L", "--task", "A:0.1", "--force-n", "100"];
+    let asked = |kg: &str, more: &[&str]| run(&[&ranked[..], &["--tool-mass-kg", kg], more].concat()).1;
+    let heavy = asked("195", &[]);
+    let said = heavy.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("take KUKA KR 210 R2700 extra (payload 210 kg)"), "{said}");
+    assert!(said.contains("Stiffer, but not to be taken: IRB 6650S-200 (payload 200 kg: EXCEEDED"), "{said}");
+    let line = |name: &str| heavy.lines().find(|line| line.contains(name)).unwrap_or_default().to_owned();
+    assert!(line("KUKA").contains("0.152*") && line("IRB 6650S").contains("0.141 LOAD EXCEEDED"), "{heavy}");
+    let winner = |kg: &str| -> serde_json::Value {
+        serde_json::from_str::<serde_json::Value>(&asked(kg, &["--format", "json"])).unwrap()["winners"][0].clone()
+    };
+    let (heavy, light) = (winner("195"), winner("100"));
+    assert_eq!((&heavy["best"], &heavy["best_serial"]), (&"KR 210 R2700 extra".into(), &"KR 210 R2700 extra".into()));
+    assert_eq!((&light["best"], &light["told_apart"]), (&"IRB 6650S-200".into(), &true.into()));
+    // Where none may be taken, the stiffest is told, and none is advised.
+    let none = asked("300", &[]).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        none.contains("IRB 6650S-200") && none.contains("no robot is advised") && !none.contains("take "),
+        "{none}"
+    );
+}
+
 /// What a calibration leaves stands beside the deflection: together they keep the tolerance, or it is not sure.
 #[test]
 fn what_a_calibration_leaves_counts_in_the_verdict() {

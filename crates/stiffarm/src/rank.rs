@@ -88,10 +88,10 @@ pub struct Ranking {
 
 impl Ranking {
     /// The stiffest robot for a task among those that `filter` lets pass; of equals the one that ranks higher.
-    pub fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row> {
+    pub fn best(&self, task: usize, filter: impl Fn(&Row) -> bool) -> Option<&Row> {
         self.rows
             .iter()
-            .filter(|row| filter(&row.robot))
+            .filter(|row| filter(row))
             .filter_map(|row| Some((row.deflection(task)?, row)))
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, row)| row)
@@ -99,15 +99,18 @@ impl Ranking {
 
     /// The same among robots of which no number is assumed.
     pub fn best_published(&self, task: usize) -> Option<&Row> {
-        self.best(task, |robot| robot.status != Status::Estimated)
+        self.best(task, |row| row.robot.status != Status::Estimated)
     }
 
     /// Those that may be as good at a task as the best of published geometry, in their order: their proved bounds do not lie above its value.
     /// Nobody where it is distinguished.
     pub fn rivals(&self, task: usize) -> Vec<&Row> {
-        let Some((best, value)) = self.best_published(task).and_then(|best| Some((best, best.proved(task)?))) else {
-            return Vec::new();
-        };
+        self.best_published(task).map_or_else(Vec::new, |best| self.rivals_of(best, task))
+    }
+
+    /// The same of another than the best.
+    pub fn rivals_of(&self, best: &Row, task: usize) -> Vec<&Row> {
+        let Some(value) = best.proved(task) else { return Vec::new() };
         let others = self.rows.iter().filter(|row| row.is_ranked() && row.robot != best.robot);
         others.filter(|row| row.proved(task).is_some_and(|other| may_be_as_good(other, value))).collect()
     }

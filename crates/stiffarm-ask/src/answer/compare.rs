@@ -1,18 +1,25 @@
 //! How are two setups reported side by side?
 
+use std::cmp::Ordering;
+
 use serde_json::{Value, json};
 
 use super::uncertainty::share_of_draws;
 use super::verdict::SURE;
 use super::words::{self, degrees, fixed};
 use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, shape, stiffness, with_schema};
+use stiffarm::load::Component;
 use stiffarm::model::ModelKind;
-use stiffarm::place::{Placed, Placement};
+use stiffarm::place::{PlaceOptions, Placed, Placement};
 use stiffarm::rank::may_be_as_good;
+use stiffarm::robot::Status;
 use stiffarm::uncertainty::{DRAWS, drawn};
 
 /// What the two are called, in JSON and where there is little room.
 pub const NAMES: [&str; 2] = ["a", "b"];
+
+/// With another force, or of another work, two answers are compared and not two robots.
+const ASKED: [&str; 3] = ["force", "component", "task"];
 
 /// The answer of `compare`: a placement of each of two setups.
 #[derive(Clone, Debug)]
@@ -97,17 +104,23 @@ impl CompareAnswer {
         [(1, 0), (0, 1)].into_iter().find(|&(worse, better)| is_worse(worse, better)).map(|(_, better)| better)
     }
 
-    /// In which share of the draws of their drives each gives way least; `None` where nothing says how far the drives of both may be off, or
-    /// they are asked different things.
+    /// In which share of the draws of their drives each gives way least, of draws in which both give way alike half of them; `None` where nothing
+    /// says how far the drives of both may be off, one is estimated or not to be taken, or they are asked different things.
     pub fn chances(&self) -> Option<[f64; 2]> {
-        if self.differ_in().iter().any(|what| ["force", "task"].contains(what)) {
+        let is_open = |side: &PlaceAnswer| side.robot.status == Status::Estimated || is_barred(side);
+        if self.sides.iter().any(is_open) || self.differ_in().iter().any(|what| ASKED.contains(what)) {
             return None;
         }
         let draws = |side: &PlaceAnswer| drawn(&side.robot, side.options.load, side.best()?);
         let [a, b] = self.sides.each_ref().map(draws);
         let (a, b) = (a?, b?);
         let share = |one: &[f64], other: &[f64]| {
-            one.iter().zip(other).filter(|(one, other)| one < other).count() as f64 / one.len() as f64
+            let won = |(one, other): (&f64, &f64)| match one.total_cmp(other) {
+                Ordering::Less => 1.0,
+                Ordering::Equal => 0.5,
+                Ordering::Greater => 0.0,
+            };
+            one.iter().zip(other).map(won).sum::<f64>() / one.len() as f64
         };
         Some([share(&a, &b), share(&b, &a)])
     }
@@ -116,16 +129,25 @@ impl CompareAnswer {
     pub fn differ_in(&self) -> Vec<&'static str> {
         let [a, b] = &self.sides;
         let tool = |side: &PlaceAnswer| if let ModelKind::Spatial(tool) = side.model { Some(tool) } else { None };
-        let elsewhere = |side: &PlaceAnswer| stiffarm::place::PlaceOptions { load: a.options.load, ..side.options };
+        let mount = |side: &PlaceAnswer| side.options.cell.map(|cell| cell.mount);
+        let [here, there] = [&a.options, &b.options];
+        let force = |options: &PlaceOptions| options.load.counting(Component::Total);
         let differences = [
             ("robot", a.robot.full_name() != b.robot.full_name()),
             ("stiffness", a.robot.drive_compliance() != b.robot.drive_compliance()),
             ("model", a.model.name() != b.model.name()),
             ("tool", tool(a) != tool(b)),
-            ("force", a.options.load != b.options.load),
+            ("tool mass", here.tool_weight != there.tool_weight),
+            ("tool direction", here.tool_orientation != there.tool_orientation),
+            ("force", force(here) != force(there)),
+            ("component", here.load.component() != there.load.component()),
             ("task", !a.task.work.is_same(&b.task.work)),
             ("tolerance", a.tolerance_mm != b.tolerance_mm),
-            ("place", elsewhere(a) != elsewhere(b)),
+            ("margins", here.margins != there.margins),
+            ("mount", mount(a) != mount(b)),
+            ("allowed place", a.allowed() != b.allowed()),
+            ("angle", here.orientation != there.orientation),
+            ("gap", here.gap != there.gap),
         ];
         differences.into_iter().filter(|(_, differ)| *differ).map(|(name, _)| name).collect()
     }
@@ -243,7 +265,11 @@ impl CompareAnswer {
             (None, None) => "Neither of them was found a place.".into(),
         }];
         for (at, side) in self.sides.iter().enumerate() {
-            if side.clearance().is_some_and(|clearance| clearance.distance < 0.0) {
+            if side.robot.status == Status::Estimated {
+                let name = called(at);
+                sentences.push(format!("The numbers of {name} are estimated: find its data sheet before you decide."));
+            }
+            if collides(side) {
                 sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(at)));
             }
             sentences.extend(
@@ -253,11 +279,12 @@ impl CompareAnswer {
             );
         }
         let differ = self.differ_in();
-        if differ.iter().any(|what| ["force", "task"].contains(what)) {
-            sentences.push(format!(
-                "They are asked different things ({}): the ratio compares these two answers, not the robots.",
-                differ.join(", ")
-            ));
+        if differ.iter().any(|what| ASKED.contains(what)) {
+            let compares = match self.ratio() {
+                Some(_) => ": the ratio compares these two answers, not the robots",
+                None => "",
+            };
+            sentences.push(format!("They are asked different things ({}){compares}.", differ.join(", ")));
         } else if !differ.is_empty() {
             sentences.push(format!("They differ in {}.", differ.join(", ")));
         }
@@ -270,6 +297,16 @@ impl CompareAnswer {
         notes += &words::statuses(self.sides.iter().map(|side| &side.robot));
         notes
     }
+}
+
+/// The arm collides at its place.
+fn collides(side: &PlaceAnswer) -> bool {
+    side.clearance().is_some_and(|clearance| clearance.distance < 0.0)
+}
+
+/// A setup is not to be taken, whatever its deflection: its arm collides, or it carries more than it may.
+fn is_barred(side: &PlaceAnswer) -> bool {
+    collides(side) || side.carried().is_exceeded()
 }
 
 /// `1.980 to 2.003 mm`.

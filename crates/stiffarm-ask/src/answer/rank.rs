@@ -37,6 +37,16 @@ pub struct RankAnswer {
     known: Vec<Vec<Option<Known>>>,
 }
 
+/// Who is best at a task.
+struct Leading<'a> {
+    /// Of those whose geometry is published.
+    published: Option<&'a Row>,
+    /// Of all.
+    of_all: Option<&'a Row>,
+    /// Who may be as good as the first.
+    rivals: Vec<&'a Row>,
+}
+
 impl RankAnswer {
     /// Of a ranking, with what was asked, the acceptable deflection, mm, and the advice on it.
     pub fn of(
@@ -58,9 +68,24 @@ impl RankAnswer {
         answer
     }
 
+    /// The stiffest robot for a task among those that may be taken and that `filter` lets pass; where none of them has a place, among the
+    /// others.
+    pub(super) fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row> {
+        let of = |may_be_barred| {
+            self.ranking.best(task, |row| filter(&row.robot) && (may_be_barred || !self.is_barred(row)))
+        };
+        of(false).or_else(|| of(true))
+    }
+
+    /// The same among robots of which no number is assumed.
+    pub fn best_published(&self, task: usize) -> Option<&Row> {
+        self.best(task, |robot| robot.status != Status::Estimated)
+    }
+
     /// Those that may be as good as the best at a task, and may be taken.
     pub(super) fn rivals(&self, task: usize) -> Vec<&Row> {
-        self.ranking.rivals(task).into_iter().filter(|row| !self.is_barred(row)).collect()
+        let rivals = self.best_published(task).map_or_else(Vec::new, |best| self.ranking.rivals_of(best, task));
+        rivals.into_iter().filter(|row| !self.is_barred(row)).collect()
     }
 
     /// Whether a row keeps the tolerance at a task; `None` where there is no tolerance, or no place.
@@ -174,8 +199,8 @@ impl RankAnswer {
         let Ranking { tasks, .. } = &self.ranking;
         let winners = tasks.iter().enumerate().map(|(task, asked)| {
             let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
-            let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
-            let best = self.ranking.best_published(task);
+            let of = |architecture| name(self.best(task, |robot| robot.architecture == architecture));
+            let best = self.best_published(task);
             let rivals: Vec<&str> = self.rivals(task).iter().map(|row| row.robot.name.as_str()).collect();
             let mut record = Record::of(&shape::WINNER);
             record
@@ -183,7 +208,7 @@ impl RankAnswer {
                 .put(field::BEST, name(best))
                 .put(field::DISTINGUISHED, best.map(|_| rivals.is_empty()))
                 .put(field::RIVALS, json!(rivals))
-                .put(field::BEST_WITH_ESTIMATED, name(self.ranking.best(task, |_| true)))
+                .put(field::BEST_WITH_ESTIMATED, name(self.best(task, |_| true)))
                 .put(field::BEST_SERIAL, of(Architecture::Serial))
                 .put(field::BEST_QUASI_SERIAL, of(Architecture::QuasiSerial));
             record
@@ -230,7 +255,7 @@ impl RankAnswer {
             headings.push("planar #".into());
         }
         let mut table = Table::new(headings).with_room(2, &spare);
-        let rivals: Vec<Vec<&Row>> = (0..tasks.len()).map(|task| self.rivals(task)).collect();
+        let leading: Vec<Leading> = (0..tasks.len()).map(|task| self.leading(task)).collect();
         for (at, row) in rows.iter().enumerate() {
             let robot = &row.robot;
             let estimated = robot.status == Status::Estimated;
@@ -249,7 +274,7 @@ impl RankAnswer {
             if in_plane.is_none() {
                 cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
             }
-            cells.extend((0..tasks.len()).map(|task| self.cell(at, task, &rivals[task])));
+            cells.extend((0..tasks.len()).map(|task| self.cell(at, task, &leading[task])));
             for place in (0..tasks.len()).map(|task| placed(row, task)) {
                 match place {
                     None if is_several => cells.push("-".into()),
@@ -265,8 +290,13 @@ impl RankAnswer {
         table
     }
 
+    fn leading(&self, task: usize) -> Leading<'_> {
+        let (published, of_all) = (self.best_published(task), self.best(task, |_| true));
+        Leading { published, of_all, rivals: self.rivals(task) }
+    }
+
     /// `1.234`, marked when it is the best of its column or may be as good, with verdict, margin and probability where a tolerance is given.
-    fn cell(&self, at: usize, task: usize, rivals: &[&Row]) -> String {
+    fn cell(&self, at: usize, task: usize, leading: &Leading) -> String {
         let row = &self.ranking.rows[at];
         let Some(deflection) = row.deflection(task) else {
             return match &row.cells[task] {
@@ -276,10 +306,9 @@ impl RankAnswer {
             };
         };
         let is = |best: Option<&Row>| best.is_some_and(|best| best.robot == row.robot);
-        let published = self.ranking.best_published(task);
-        let beats =
-            row.robot.status == Status::Estimated && is(self.ranking.best(task, |_| true)) && published.is_some();
-        let mark = match (is(published), beats) {
+        let Leading { published, of_all, rivals } = leading;
+        let beats = row.robot.status == Status::Estimated && is(*of_all) && published.is_some();
+        let mark = match (is(*published), beats) {
             (true, _) => "*",
             (false, true) => "~",
             (false, false) if rivals.iter().any(|rival| rival.robot == row.robot) => "=",

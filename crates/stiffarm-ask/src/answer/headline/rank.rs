@@ -28,8 +28,7 @@ impl RankAnswer {
     fn outcome(&self) -> Outcome {
         let ranking = &self.ranking;
         let tasks = 0..ranking.tasks.len();
-        let winners: Vec<(usize, &Row)> =
-            tasks.filter_map(|task| Some((task, ranking.best_published(task)?))).collect();
+        let winners: Vec<(usize, &Row)> = tasks.filter_map(|task| Some((task, self.best_published(task)?))).collect();
         let any = |odd: &dyn Fn(usize, &Row) -> bool| winners.iter().any(|(task, row)| odd(*task, row));
         if winners.is_empty() {
             return Outcome::NoPlace;
@@ -60,21 +59,20 @@ impl RankAnswer {
 
     /// By how much the best of a task is ahead of all others, where that is proved.
     fn leads(&self) -> Option<String> {
-        let tasks = self.ranking.tasks.len();
+        let (ranking, tasks) = (&self.ranking, self.ranking.tasks.len());
         let leads: Vec<Lead> = (0..tasks).filter_map(|task| self.lead(task)).collect();
         let least = leads.iter().min_by(|a, b| a.ahead.total_cmp(&b.ahead))?;
         // Never more than it is.
         let percent = fixed((1000.0 * least.ahead).floor() / 10.0, 1);
         let label = |lead: &Lead| self.ranking.tasks[lead.task].label.as_str();
         let (next, bound) = (&least.next.robot.name, mm(least.bound));
-        let of = match leads.len() {
-            1 => format!("on {} every other robot gives way at least {percent} % more", label(least)),
-            all if all == tasks => format!("on every task every other robot gives way at least {percent} % more"),
-            _ => {
-                let labels: Vec<&str> = leads.iter().map(label).collect();
-                format!("on {} every other robot gives way at least {percent} % more", labels.join(", "))
-            }
+        let on = match leads.len() {
+            1 => label(least).to_owned(),
+            all if all == tasks => "every task".into(),
+            _ => leads.iter().map(label).collect::<Vec<_>>().join(", "),
         };
+        let taken = if ranking.rows.iter().any(|row| self.is_barred(row)) { " that may be taken" } else { "" };
+        let of = format!("on {on} every other robot{taken} gives way at least {percent} % more");
         Some(format!(
             "Proved at the nominal stiffness: {of} than the best (the nearest is {next} on {}, with no less than {bound}).",
             label(least)
@@ -82,12 +80,13 @@ impl RankAnswer {
     }
 
     fn lead(&self, task: usize) -> Option<Lead<'_>> {
-        let best = self.ranking.best_published(task)?;
+        let best = self.best_published(task)?;
         let value = best.deflection(task)?;
         if !self.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task) {
             return None;
         }
         let others = self.ranking.rows.iter().filter(|row| row.rank.is_some() && row.robot != best.robot);
+        let others = others.filter(|row| !self.is_barred(row));
         let bounds = others.filter_map(|row| Some((row.placement(task)?.lower_bound, row)));
         let (bound, next) = bounds.min_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(Lead { task, ahead: bound / value - 1.0, next, bound })

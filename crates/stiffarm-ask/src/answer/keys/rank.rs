@@ -29,7 +29,7 @@ fields! {
     SETUP_B: "b", Kind::Object, "The second setup.";
     SETUP_RATIO: "ratio", Kind::Number(Unit::One), "The deflection of the second over that of the first; null where one has no place.";
     BETTER_SETUP: "better", Kind::Text, "Which of the two is better, a or b, which is proved at the nominal stiffness; null where they cannot be distinguished.";
-    DIFFERENT: "differ_in", Kind::List(&Kind::Text), "What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance, place.";
+    DIFFERENT: "differ_in", Kind::List(&Kind::Text), "What is not the same of both besides the answer: robot, stiffness, model, tool, tool mass, tool direction, force, component, task, tolerance, margins, mount, allowed place, angle, gap.";
     SUMMARY: "summary", Kind::List(&Kind::Text), "What a manager would read.";
 }
 

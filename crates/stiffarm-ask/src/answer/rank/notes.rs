@@ -19,6 +19,9 @@ impl RankAnswer {
     pub fn notes(&self) -> String {
         let Ranking { rows, tasks, in_plane, .. } = &self.ranking;
         let mut notes = String::from("* best of the robots whose geometry is published");
+        if rows.iter().any(|row| self.is_barred(row)) {
+            notes += " and that may be taken";
+        }
         if (0..tasks.len()).any(|task| !self.rivals(task).is_empty()) {
             notes += "; = may be as good: its proved bound does not lie above the value of the best";
         }

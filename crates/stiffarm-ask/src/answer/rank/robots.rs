@@ -14,7 +14,7 @@ impl RankAnswer {
     /// Where there is no such row.
     pub fn table_of(&self, at: usize) -> Table {
         let row = &self.ranking.rows[at];
-        let rivals: Vec<_> = (0..self.ranking.tasks.len()).map(|task| self.rivals(task)).collect();
+        let leading: Vec<_> = (0..self.ranking.tasks.len()).map(|task| self.leading(task)).collect();
         let spreads: Vec<Option<Spread>> = (0..row.cells.len()).map(|task| self.spread(at, task)).collect();
         let is_scattered = spreads.iter().any(Option::is_some);
         let mut headings = vec!["task", "worst deflection [mm]", "proved lower bound [mm]"];
@@ -23,7 +23,7 @@ impl RankAnswer {
         let mut table = Table::new(headings);
         for (task, asked) in self.ranking.tasks.iter().enumerate() {
             let best = row.placement(task);
-            let mut cells = vec![asked.label.clone(), self.cell(at, task, &rivals[task])];
+            let mut cells = vec![asked.label.clone(), self.cell(at, task, &leading[task])];
             cells.push(or_dash(best, |best| Some(fixed(best.lower_bound * 1e3, 3))));
             if is_scattered {
                 let interval =

@@ -21,6 +21,7 @@ impl RankAnswer {
     /// What a manager would read.
     pub fn sentences(&self) -> Vec<String> {
         let mut sentences = vec![self.winning()];
+        sentences.extend(self.passed_over());
         sentences.extend(self.elsewhere());
         sentences.extend(self.by_architecture());
         sentences.extend(self.estimated_rivals());
@@ -88,7 +89,7 @@ impl RankAnswer {
 
     fn winning(&self) -> String {
         let ranking = &self.ranking;
-        let winners = self.tasks_by_robot(|task| ranking.best_published(task));
+        let winners = self.tasks_by_robot(|task| self.best_published(task));
         if winners.is_empty() {
             return "No robot whose geometry is published can do any of these tasks.".into();
         }
@@ -140,7 +141,7 @@ impl RankAnswer {
         }
         let ties = |task: usize| uncertainty::ties(&self.chances, task);
         let is_alone = |task: usize| self.rivals(task).is_empty() && ties(task) < 2;
-        let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
+        let decided = self.tasks_by_robot(|task| self.best_published(task).filter(|_| is_alone(task)));
         let undecided = |task: usize| self.undistinguished(task).or_else(|| self.tied_by_drives(task, ties(task)));
         let open: Vec<String> = (0..ranking.tasks.len()).filter_map(undecided).collect();
         match (decided.as_slice(), open.is_empty()) {
@@ -150,6 +151,21 @@ impl RankAnswer {
                 format!("{under} take {}; no robot is advised where {}.", list(decided), open.join("; "))
             }
         }
+    }
+
+    /// Stiffer robots that are not to be taken.
+    fn passed_over(&self) -> Option<String> {
+        let stiffer = |task: usize| {
+            let best = self.best_published(task)?;
+            let stiffest = self.ranking.best_published(task)?;
+            (stiffest.robot != best.robot).then_some(stiffest)
+        };
+        let named: Vec<String> = self
+            .tasks_by_robot(stiffer)
+            .iter()
+            .map(|(row, tasks)| format!("{} on {}", self.barred(row), self.labels(tasks)))
+            .collect();
+        (!named.is_empty()).then(|| format!("Stiffer, but not to be taken: {}.", named.join("; ")))
     }
 
     /// What the arms of some rows overlap with at some tasks.
@@ -177,7 +193,7 @@ impl RankAnswer {
 
     /// The best of a task with all that may be as good, where there are some.
     fn undistinguished(&self, task: usize) -> Option<String> {
-        let (best, rivals) = (self.ranking.best_published(task)?, self.rivals(task));
+        let (best, rivals) = (self.best_published(task)?, self.rivals(task));
         let (first, others) = rivals.split_first()?;
         let named = |row: &Row| {
             let bound = row.placement(task).map_or_else(|| "-".into(), |best| fixed(best.lower_bound * 1e3, 3));
@@ -194,7 +210,7 @@ impl RankAnswer {
 
     /// The best of a task that is none by what is known of the drives: so many tie.
     fn tied_by_drives(&self, task: usize, ties: usize) -> Option<String> {
-        let best = self.ranking.best_published(task).filter(|_| 1 < ties)?;
+        let best = self.best_published(task).filter(|_| 1 < ties)?;
         let (name, label) = (best.robot.full_name(), &self.ranking.tasks[task].label);
         Some(format!("{name} gives way least on {label}, but by what is known of the drives {ties} robots tie"))
     }
@@ -204,7 +220,7 @@ impl RankAnswer {
         let planar = self.ranking.in_plane.as_ref()?;
         let other = |task: usize| {
             let best = planar.best_published(task)?;
-            let same = self.ranking.best_published(task).is_some_and(|row| row.robot == best.robot);
+            let same = self.best_published(task).is_some_and(|row| row.robot == best.robot);
             let is_open = !(self.rivals(task).is_empty() && planar.rivals(task).is_empty());
             (!same && !is_open).then_some(best)
         };
@@ -218,7 +234,7 @@ impl RankAnswer {
 
     fn by_architecture(&self) -> Option<String> {
         let ranking = &self.ranking;
-        let best = |task, architecture| ranking.best(task, |robot: &Robot| robot.architecture == architecture);
+        let best = |task, architecture| self.best(task, |robot: &Robot| robot.architecture == architecture);
         let compared = |task: usize| {
             let (serial, quasi) = (best(task, Architecture::Serial)?, best(task, Architecture::QuasiSerial)?);
             let show = |row: &Row| {
@@ -242,10 +258,9 @@ impl RankAnswer {
     }
 
     fn estimated_rivals(&self) -> Option<String> {
-        let ranking = &self.ranking;
         let rivals = self.tasks_by_robot(|task| {
-            let best = ranking.best(task, |_| true)?;
-            let rivals = best.robot.status == Status::Estimated && ranking.best_published(task).is_some();
+            let best = self.best(task, |_| true)?;
+            let rivals = best.robot.status == Status::Estimated && self.best_published(task).is_some();
             rivals.then_some(best)
         });
         let rivals: Vec<String> =

@@ -33,7 +33,7 @@ pub(crate) fn of(found: &RankOutput, asked: &Request) -> Result<Report, AskError
     let (mut sections, inputs) = (vec![deciding(found)?], found.inputs());
     sections.extend(meaning(asked));
     sections.extend(inputs.process()?);
-    let parts = with_parts(&answer.ranking);
+    let parts = with_parts(answer);
     for &at in &parts {
         sections.push(robot(found, (at, &rows[at]), asked)?);
     }
@@ -62,9 +62,10 @@ pub(crate) fn of(found: &RankOutput, asked: &Request) -> Result<Report, AskError
 }
 
 /// Which robots have a part of their own: who is best at some task, then the first, in their order.
-fn with_parts(ranking: &Ranking) -> Vec<usize> {
+fn with_parts(answer: &RankAnswer) -> Vec<usize> {
+    let ranking = &answer.ranking;
     let is_best = |row: &Row| {
-        (0..ranking.tasks.len()).any(|task| ranking.best_published(task).is_some_and(|best| best.robot == row.robot))
+        (0..ranking.tasks.len()).any(|task| answer.best_published(task).is_some_and(|best| best.robot == row.robot))
     };
     let (best, others): (Vec<usize>, Vec<usize>) = (0..ranking.rows.len()).partition(|&at| is_best(&ranking.rows[at]));
     let mut parts: Vec<usize> = best.into_iter().chain(others).take(MOST_PARTS).collect();
