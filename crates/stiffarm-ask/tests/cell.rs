@@ -1,9 +1,12 @@
 //! Does a place in a cell keep windows, boxes and clearance, and is it what the same place without a cell is?
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use nalgebra::{Point3, Vector3};
 use stiffarm::catalogue::find;
 use stiffarm::cell::{Block, Cell, Mount, Window};
 use stiffarm::clearance::Obstacle;
+use stiffarm::compliance::compliance;
 use stiffarm::interval::Interval;
 use stiffarm::load::Load;
 use stiffarm::model::Model;
@@ -76,6 +79,38 @@ fn a_window_beside_the_range_of_joint_1_has_its_best_place_at_that_limit() {
         assert!(found.deflection < narrow.deflection * (1.0 + 1e-9), "{wider}: {}", found.deflection);
         let (least, _) = found.smallest_margin().expect("a margin");
         assert!(5_f64.to_radians() - 1e-9 < least, "{wider}: {least}");
+    }
+}
+
+/// At roll 0 and angle 0 the tool's x axis lies along the first side, and that is where the joints of the answer put it, however the robot stands. Under a
+/// ceiling it points back to the robot.
+#[test]
+fn the_first_side_points_where_the_joints_put_it() {
+    let robot = robot();
+    for (mount, at, within, expected) in [
+        ("pedestal:1", "1.4,1.6", None, Some([1.0, 0.0, 0.0])),
+        ("pedestal:1@45", "1.4,1.6", None, Some([FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0])),
+        ("ceiling:3", "1.4,1.0", None, Some([-1.0, 0.0, 0.0])),
+        ("wall:2", "", Some("0.9..2,-1..1,0.4..1.6"), None),
+        ("pose:1,2,0.5,0,20,45", "", Some("1.5..3,2.5..4,0.5..1.5"), None),
+    ] {
+        let mut given = vec![("task", "rect:0.3x0.2"), ("mount", mount), ("angle", "0"), ("roll-deg", "0")];
+        given.push(within.map_or(("at", at), |within| ("within", within)));
+        let zone = Zone::Rectangle { width: 0.3, height: 0.2 };
+        let options = request(&given).place_options(Some(zone)).unwrap();
+        let (cell, elevation) = (options.cell.unwrap(), options.tool_orientation().elevation);
+        let found = best(zone, &options);
+        let side = Vector3::from(found.first_side(elevation, Some(&cell)).unwrap());
+        let hold = found.space().unwrap();
+        let tool = compliance(&robot, &hold.joints, &Pose::translation(0.0, 0.0, 0.25)).unwrap().tool;
+        let x = cell.mount.cell_from_base.rotation * (tool.rotation * Vector3::x());
+        // Angle and roll turn both sides and tool from the same direction about the tool axis; here by what the search added to the angle.
+        let turned = x * found.angle.cos()
+            - (cell.mount.cell_from_base.rotation * (tool.rotation * Vector3::y())) * found.angle.sin();
+        assert!((turned - side).norm() < 1e-9, "{mount}: {turned} {side} at {}", found.angle);
+        if let Some(expected) = expected {
+            assert!((side - Vector3::from(expected)).norm() < 1e-9, "{mount}: {side}");
+        }
     }
 }
 

@@ -15,7 +15,6 @@ use nalgebra::{Point3, Rotation3, Vector3};
 use stiffarm::cell::{Block, Cell};
 use stiffarm::interval::Interval;
 use stiffarm::mill::Station;
-use stiffarm::model::ModelKind;
 use stiffarm::place::{FacePlacement, Placement, Within};
 use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
@@ -77,7 +76,7 @@ impl PlaceAnswer {
             Work::Zone(zone) if zone.is_round() => [centre, lines[0][0]],
             Work::Zone(_) => [lines[0][0], lines[0][1]],
         };
-        let yaw = (is_part || self.is_met_from_above()).then(|| (to[1] - from[1]).atan2(to[0] - from[0]));
+        let yaw = (is_part || self.is_met_from_above(best)).then(|| (to[1] - from[1]).atan2(to[0] - from[0]));
         let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
         let mut layout = Layout {
             title: format!("{}: {} ({})", self.robot.full_name(), self.task.label, self.task.work.describe()),
@@ -108,15 +107,20 @@ impl PlaceAnswer {
     /// its turn about the vertical, rad, as `mill --at` takes them. `None` of a zone that is not met from above, and where nothing is known of the
     /// base.
     pub fn stand_of_path(&self) -> Option<[f64; 4]> {
-        let Layout { centre: [x, y, z], yaw, .. } = self.layout()?;
+        // Of a base that leans a path says otherwise where it stands.
+        let leans = self.options.cell.is_some_and(|cell| !cell.mount.is_vertical());
+        let Layout { centre: [x, y, z], yaw, .. } = self.layout().filter(|_| !leans)?;
         Some([x, y, z, yaw?])
     }
 
     /// The tool points down in the cell.
-    fn is_met_from_above(&self) -> bool {
-        let tool_orientation = self.options.tool_orientation();
-        let up = self.options.cell.map_or(1.0, |cell| cell.mount.uprightness());
-        self.model != ModelKind::Planar && tool_orientation.is_vertical() && tool_orientation.elevation * up < 0.0
+    fn is_met_from_above(&self, best: &Placement) -> bool {
+        /// The cosine of a lean that is none.
+        const DOWN: f64 = -1.0 + 1e-9;
+        let Some(hold) = best.space() else { return false };
+        let plane = WorkPlane::of(self.options.tool_orientation().elevation, &hold.work(best));
+        let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), hold.bearing) * plane.tool().column(2);
+        self.options.cell.map_or(turned, |cell| cell.mount.cell_from_base.rotation * turned).z < DOWN
     }
 
     /// The zone may stand in one place only: its window is no larger than itself.
@@ -259,6 +263,7 @@ mod tests {
     use stiffarm::catalogue::paper_robots;
     use stiffarm::cell::Mount;
     use stiffarm::load::Load;
+    use stiffarm::model::ModelKind;
     use stiffarm::part::Part;
     use stiffarm::place::{PlaceOptions, ToolOrientation, place};
     use stiffarm::spatial::Pose;

@@ -78,7 +78,8 @@ impl std::fmt::Display for Misfit {
             Self::Clearance { asked, otherwise } => {
                 write!(f, "no place was found where the arm keeps {:.0} mm from everything", asked * 1e3)?;
                 let Some(Clearance { distance, link, to, .. }) = otherwise else { return Ok(()) };
-                let kept = (distance * 1e3).round();
+                // Without the sign of a zero.
+                let kept = (distance * 1e3).round() + 0.0;
                 if kept < 0.0 {
                     write!(f, "; at the best place otherwise {} and {to} overlap by {:.0} mm", link.name(), -kept)
                 } else {

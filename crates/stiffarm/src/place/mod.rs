@@ -25,7 +25,7 @@ use crate::plane::Elbow;
 use crate::task::{Work, Zone};
 use crate::tolerances;
 use crate::watch::Watch;
-use crate::work::WorkPlacement;
+use crate::work::{WorkPlacement, WorkPlane};
 
 /// Deflections below this, m, are rounding: nothing gives way.
 pub(crate) const NOTHING: f64 = 1e-15;
@@ -294,6 +294,21 @@ impl Placement {
         let ([x, z], bearing) = (self.centre, self.space().map_or(0.0, |hold| hold.bearing));
         let at = nalgebra::Point3::new(x * bearing.cos(), x * bearing.sin(), z);
         (cell.mount.cell_from_base * at).into()
+    }
+
+    /// Which way the first side of the zone or part points where it stands, for a tool axis that rises by `elevation`, rad: axes of the cell, of
+    /// the base where there is none; `None` in the plane.
+    pub fn first_side(&self, elevation: f64, cell: Option<&Cell>) -> Option<[f64; 3]> {
+        let hold = self.space()?;
+        let ahead = if self.faces.is_empty() {
+            *WorkPlane::of(elevation, &hold.work(self)).first_side()
+        } else {
+            nalgebra::Vector3::new(self.angle.cos(), self.angle.sin(), 0.0)
+        };
+        let turned = nalgebra::Rotation3::from_axis_angle(&nalgebra::Vector3::z_axis(), hold.bearing) * ahead;
+        // What rounding leaves of a right angle is none.
+        let tidy = |part: f64| if part.abs() < 1e-12 { 0.0 } else { part };
+        Some(cell.map_or(turned, |cell| cell.mount.cell_from_base.rotation * turned).map(tidy).into())
     }
 
     /// The arm at the worst point.

@@ -37,6 +37,9 @@ pub struct WorkPlane {
 
 impl WorkPlane {
     /// With a tool axis that rises by `elevation`, rad, above the horizontal.
+    ///
+    /// Angle, roll and feed count from what points most upwards in the plane: straight ahead where the tool points down, straight back where it
+    /// points up, between them without a jump.
     pub fn of(elevation: f64, work: &WorkPlacement) -> Self {
         let (se, ce) = elevation.sin_cos();
         let (sy, cy) = work.yaw.sin_cos();
@@ -56,6 +59,11 @@ impl WorkPlane {
     /// The tool's axes in those of the base.
     pub fn tool(&self) -> &Matrix3<f64> {
         &self.tool
+    }
+
+    /// Which way the first side points, base axes.
+    pub fn first_side(&self) -> &Vector3<f64> {
+        &self.first
     }
 
     /// The forces that may act at its points, base axes; any where `None`.

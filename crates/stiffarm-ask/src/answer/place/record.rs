@@ -9,7 +9,6 @@ use super::super::{
 };
 use super::PlaceAnswer;
 use stiffarm::advice::Advice;
-use stiffarm::cell::Cell;
 use stiffarm::clearance::Clearance;
 use stiffarm::interval::Interval;
 use stiffarm::limits::Pendant;
@@ -75,7 +74,7 @@ pub(in crate::answer) fn put_placement(
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
     let clearance = best.and_then(|best| clearance(robot, (model, options), task, best));
-    held(record, (robot, best, clearance), options.cell.as_ref());
+    held(record, (robot, best, clearance), options);
     uncertainty::put(record, known.map(|known| known.spread));
     let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
     let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
@@ -135,8 +134,9 @@ fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
 fn held(
     record: &mut Record,
     (robot, best, clearance): (&Robot, Option<&Placement>, Option<Clearance>),
-    cell: Option<&Cell>,
+    options: &PlaceOptions,
 ) {
+    let cell = options.cell.as_ref();
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
     let margin = best.and_then(Placement::smallest_margin);
@@ -145,6 +145,7 @@ fn held(
         .put(field::BEARING, of(|hold| hold.bearing))
         .put(field::YAW, of(|hold| hold.yaw))
         .put(field::ANGLE, best.map(|best| best.angle))
+        .put(field::FIRST_SIDE, best.and_then(|best| best.first_side(options.tool_orientation().elevation, cell)))
         .put(field::ROLL, of(|hold| hold.roll))
         .put(field::SHOULDER, hold.map(|hold| hold.configuration.shoulder.name()))
         .put(field::ELBOW, best.map(|best| best.elbow.name()))

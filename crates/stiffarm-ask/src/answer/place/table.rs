@@ -170,6 +170,16 @@ impl PlaceAnswer {
         self.best().and_then(Placement::space).is_some_and(|hold| hold.bearing != 0.0)
     }
 
+    /// Which way the first side points, where that is not what its angle says from straight ahead of the base.
+    fn pointing(&self, best: &Placement, hold: &SpaceHold) -> String {
+        let (elevation, cell) = (self.options.tool_orientation().elevation, self.options.cell.as_ref());
+        let is_plain = cell.is_none() && hold.bearing == 0.0 && elevation < 0.0;
+        let Some(side) = best.first_side(elevation, cell).filter(|_| !is_plain) else { return String::new() };
+        let [x, y, z] = side.map(|part| fixed(part, 3));
+        let axes = if cell.is_some() { "in the cell" } else { "from the base" };
+        format!(" (it points to x {x}, y {y}, z {z} {axes})")
+    }
+
     /// What the line is called that says where it stands.
     fn centre_label(&self, best: &Placement) -> String {
         let turned = if self.is_turned() { ", before it is turned" } else { "" };
@@ -191,7 +201,7 @@ impl PlaceAnswer {
         if !self.options.tool_orientation().is_vertical() {
             lines.push(line("yaw of the zone's plane", degrees(hold.yaw)));
         }
-        lines.push(line("angle of the first side", degrees(best.angle)));
+        lines.push(line("angle of the first side", format!("{}{}", degrees(best.angle), self.pointing(best, hold))));
         lines.push(line("roll of the tool", degrees(hold.roll)));
         lines.push(line("configuration", hold.configuration.to_string()));
         let is_free = self.options.margins.radius(&self.robot) == 0.0;

@@ -133,7 +133,7 @@ pub(super) const ROLL: Setting = opt::ROLL_DEG.row(Setting {
     kind: degrees_of(360.0, "degrees"),
     unit: "deg",
     absent: Absent::Means("the best"),
-    help: "Rotation about the tool axis; 0 has the tool's x axis ahead, on a wall upright",
+    help: "Rotation about the tool axis; 0 has the tool's x axis ahead, with the tool up (as down under a ceiling) back, on a wall upright",
     example: "45",
     ..TOOL
 });

@@ -190,7 +190,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "DEG",
         absent: Absent::Means("the worst of all directions"),
         needs: WITH_FORCE,
-        help: "Direction of the feed in the face, from the first side of the zone towards the second; of a circle and of a map from straight ahead, on a wall from upright",
+        help: "Direction of the feed in the face, from the first side of the zone towards the second; of a circle and of a map from straight ahead, with the tool up (as down under a ceiling) from straight back, on a wall from upright",
         example: "30",
         ..ROW
     }),
@@ -294,7 +294,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "ANGLE",
         absent: Absent::Default("axes"),
         needs: A_ZONE,
-        help: "Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of its first side",
+        help: "Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges from x of the cell, of a base that leans from its own)",
         example: "30",
         ..ROW
     }),
