@@ -1,7 +1,9 @@
 //! How is the compliance of postures reported?
 
+use std::borrow::Cow;
+
 use nalgebra::Vector3;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
@@ -10,7 +12,7 @@ use super::{
     with_schema,
 };
 use stiffarm::batch::{RowsError, Units, matrices_of_rows, worst_of_rows};
-use stiffarm::compliance::Posture;
+use stiffarm::compliance::{Posture, beyond_limits};
 use stiffarm::limits::Pendant;
 use stiffarm::load::{Direction, Largest, Load};
 use stiffarm::robot::Robot;
@@ -54,6 +56,11 @@ impl ComplianceAnswer {
         self.force().map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
     }
 
+    /// Joints beyond their limits, 0 for the angle between the links.
+    pub fn beyond_limits(&self) -> Vec<usize> {
+        beyond_limits(&self.robot, &self.joints_deg.map(f64::to_radians))
+    }
+
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { robot, joints_deg, posture, load } = self;
@@ -69,6 +76,7 @@ impl ComplianceAnswer {
         record
             .put(field::MODEL, "spatial")
             .put(field::JOINTS, *joints_deg)
+            .put(field::JOINTS_BEYOND, json!(self.beyond_limits()))
             .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::TCP, posture.tool.translation.vector.as_slice())
             .put(field::COMPLIANCE, by_rows(3, &|i, j| translation[(i, j)]))
@@ -119,8 +127,12 @@ impl ComplianceAnswer {
                 words::joints_reported(robot),
                 format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", ")),
             ),
-            line("tool point from the base", format!("{} m", vector(&posture.tool.translation.vector, 4))),
         ];
+        let beyond: Vec<Cow<str>> = self.beyond_limits().into_iter().map(words::limited).collect();
+        if !beyond.is_empty() {
+            lines.push(line("beyond its limits", beyond.join(", ")));
+        }
+        lines.push(line("tool point from the base", format!("{} m", vector(&posture.tool.translation.vector, 4))));
         for (name, (value, direction)) in
             ["stiffest direction", "", "worst direction"].into_iter().zip(posture.compliance.principal())
         {

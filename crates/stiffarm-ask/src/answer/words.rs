@@ -3,6 +3,8 @@
 pub(super) use super::angles::asked_degrees;
 pub use super::force::{acting, component, force, loaded, mapped};
 pub use super::numbers::fixed;
+use std::borrow::Cow;
+
 use super::{Line, line};
 use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
 use stiffarm::interval::Interval;
@@ -278,4 +280,8 @@ pub(super) fn proved_none(is_proved: bool, largest_scale: Option<f64>) -> &'stat
         (false, None) => "; the search found none, which is no proof",
         (_, Some(_)) => "",
     }
+}
+/// What a limit is of: a joint from 1, or 0 for the angle between the links.
+pub fn limited(joint: usize) -> Cow<'static, str> {
+    if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}").into() }
 }

@@ -1,7 +1,7 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
 use crate::answer::compliance::vector;
-use crate::answer::words::class;
+use crate::answer::words::{class, limited};
 use crate::answer::{ComplianceAnswer, Rows, Unit, stiffness};
 use crate::request::Request;
 use nalgebra::Vector3;
@@ -37,7 +37,7 @@ pub(crate) fn remarks(robot: &Robot, [q, radians]: [&[f64; 6]; 2], context: Cont
             .remark("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
     }
     for joint in beyond_limits(robot, radians) {
-        let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
+        let which = limited(joint);
         context.listener.remark(&format!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)"));
     }
 }

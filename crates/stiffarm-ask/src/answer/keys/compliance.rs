@@ -6,6 +6,7 @@ use super::slots::{shapes, slots};
 
 fields! {
     JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
+    JOINTS_BEYOND: "joints_beyond_limits", Kind::List(&Kind::Count), "Joints beyond their limits at these angles, 0 for the angle between the links.";
     PENDANT: "pendant", Kind::Text, "Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by whoever asks), unknown.";
     TCP: "tcp_m", numbers(Unit::Metre, &["tcp_x_m", "tcp_y_m", "tcp_z_m"]), "The tool point.";
     COMPLIANCE: "compliance_um_per_n", Kind::Numbers { unit: Unit::MicrometrePerNewton, columns: &[], nested: 3, open: false }, "From force to translation, base axes.";
@@ -22,7 +23,7 @@ shapes! {
     COMPLIANCE: "ComplianceDict", "What `compliance` answers.", &[
         OF_ROBOT,
         slots![
-            MODEL, JOINTS, PENDANT, TCP, COMPLIANCE, COMPLIANCE_6X6, PRINCIPAL, WORST_DIRECTION, WORST_SHARES,
+            MODEL, JOINTS, JOINTS_BEYOND, PENDANT, TCP, COMPLIANCE, COMPLIANCE_6X6, PRINCIPAL, WORST_DIRECTION, WORST_SHARES,
             FORCE_VECTOR | null, MOVED | null, TURNED | null, COUNTED | null,
         ],
         OF_SPREAD,
