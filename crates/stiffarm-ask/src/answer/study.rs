@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::words::fixed;
 use super::{Datum, Record, Rows, Table, field, shape, with_schema};
 use stiffarm::study::{Boundary, Contender, Mark, Row, Study};
+use stiffarm::task::{Task, Zone};
 
 /// The answer of `study`; normalised as Table I of the paper.
 #[derive(Clone, Debug)]
@@ -132,9 +133,11 @@ impl StudyAnswer {
 
     /// What stands above the table.
     pub fn heading(&self) -> String {
-        "Worst deflection at the best place over k F (l2+l3)^2, sizes d over l2+l3, no joint limits\n\
-         k: compliance of a drive, of the drives 2 and 3 alike where nothing else is named; - does not fit\n"
-            .into()
+        let sizes: String = self.0.options.tasks.iter().filter(|task| task.label.contains(':')).map(sized).collect();
+        format!(
+            "Worst deflection at the best place over k F (l2+l3)^2, sizes d over l2+l3, no joint limits\n\
+             k: compliance of a drive, of the drives 2 and 3 alike where nothing else is named; - does not fit\n{sizes}"
+        )
     }
 
     /// What stands below the table: where the better contender changes.
@@ -153,6 +156,14 @@ impl StudyAnswer {
         let (below, above) = (options.name(boundary.below), options.name(1 - boundary.below));
         format!("{task}, {ratios}: {below} is better below d/(l2+l3) = {:.4}, {above} above\n", boundary.size)
     }
+}
+
+/// What the size of a task that is no letter is of.
+fn sized(task: &Task<Zone>) -> String {
+    let [first, second] = task.work.sides().map(|side| format!("{} d", fixed(side, 3)));
+    let is_round = task.work.is_round();
+    let sides = if is_round { format!("a circle of {first}") } else { format!("sides of {first} and {second}") };
+    format!("{}: {sides}\n", task.label)
 }
 
 fn ratio(row: &Row) -> String {

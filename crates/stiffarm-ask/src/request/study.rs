@@ -21,6 +21,9 @@ impl Request {
                 tasks.clear();
             }
             let [side, _] = zone.sides();
+            // Of one name two sizes may be meant: in these d multiplies what is written.
+            let is_taken = tasks.iter().any(|task| task.label == label);
+            let label = if is_taken { format!("{label} (--task)") } else { label };
             tasks.insert(0, Task { label, work: zone.scaled(1.0 / side) });
             let marked = robot.map(|robot| Mark::of(robot, zone)).transpose();
             mark = marked.map_err(|why| self.refused(opt::ROBOT, why.to_string()))?;
