@@ -72,8 +72,9 @@ impl<'a> Outputs<'a> {
     /// answered.
     pub(crate) fn deliver(self, answer: &dyn Answer) -> Result<(), Failure> {
         let Self { common, files, job } = self;
-        let only_data_file = common.format == Format::Table && files.iter().any(|(_, form, _)| holds(answer, *form));
-        let is_printed = !(only_data_file || common.quiet && !files.is_empty());
+        // What is asked for by its format is printed, whatever else is written.
+        let is_in_a_file = common.quiet && !files.is_empty() || files.iter().any(|(_, form, _)| holds(answer, *form));
+        let is_printed = common.format != Format::Table || !is_in_a_file;
         let mut written = Vec::new();
         let mut failed: Vec<(Form, Failure)> = Vec::new();
         for (path, form, sink) in files {
