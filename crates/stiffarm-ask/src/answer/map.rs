@@ -221,7 +221,11 @@ impl MapAnswer {
         lines.extend(self.frequency_lines());
         if let Some((zone, best)) = self.zone.as_ref().and_then(|zone| Some((zone, zone.placed.feasible()?))) {
             let [x, z] = best.centre;
-            let says = format!("{:.4} mm at worst, centre x {x:.3} m, z {z:.3} m", best.deflection * 1e3);
+            let mut says = format!("{:.4} mm at worst, centre x {x:.3} m, z {z:.3} m", best.deflection * 1e3);
+            if let Some((tolerance, verdict)) = zone.tolerance_mm.zip(zone.verdict()) {
+                let (held, margin) = (verdict.in_words(), words::fixed(verdict.margin_mm, 4));
+                let _ = write!(says, "; tolerance {tolerance} mm: {held}, margin {margin} mm");
+            }
             lines.push(line(format!("zone {}", zone.task.label), says));
         }
         Table::of_lines(lines)
