@@ -187,7 +187,8 @@ impl Request {
     /// Where the path's origin stands, where that is given: in the cell, where the robot is mounted in one.
     pub fn at(&self) -> Option<PartPlacement> {
         let base_from_cell = self.mount().map_or_else(Pose::identity, |mount| mount.cell_from_base.inverse());
-        let at = |at: [f64; 3], yaw: f64| Some(PartPlacement { at, yaw: yaw.to_radians(), base_from_cell });
+        // Whole turns say nothing, and rounded to radians they are none.
+        let at = |at: [f64; 3], yaw: f64| Some(PartPlacement { at, yaw: (yaw % 360.0).to_radians(), base_from_cell });
         match *self.all(opt::AT).as_slice() {
             [x, y, z] => at([x, y, z], 0.0),
             [x, y, z, yaw] => at([x, y, z], yaw),

@@ -43,7 +43,8 @@ class RankOptions(TypedDict, total=False):
 
     feed_deg: float | None
     """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
-    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+    and of a map from straight ahead, with the tool up (as down under a ceiling) from straight back, on a wall
+    from upright [default: the worst of all directions]."""
 
     direction_deg: float | None
     """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
@@ -83,7 +84,8 @@ class RankOptions(TypedDict, total=False):
     angle: str | float
     """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
     a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
+    its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges
+    from x of the cell, of a base that leans from its own)."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -117,7 +119,8 @@ class RankOptions(TypedDict, total=False):
     """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
 
     roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, with the tool up (as down under a
+    ceiling) back, on a wall upright [default: the best]."""
 
     mount: str | None
     """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
@@ -179,7 +182,8 @@ class PlaceOptions(TypedDict, total=False):
 
     feed_deg: float | None
     """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
-    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+    and of a map from straight ahead, with the tool up (as down under a ceiling) from straight back, on a wall
+    from upright [default: the worst of all directions]."""
 
     direction_deg: float | None
     """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
@@ -219,7 +223,8 @@ class PlaceOptions(TypedDict, total=False):
     angle: str | float
     """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
     a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
+    its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges
+    from x of the cell, of a base that leans from its own)."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -253,7 +258,8 @@ class PlaceOptions(TypedDict, total=False):
     """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
 
     roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, with the tool up (as down under a
+    ceiling) back, on a wall upright [default: the best]."""
 
     mount: str | None
     """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
@@ -304,7 +310,8 @@ class MapOptions(TypedDict, total=False):
 
     feed_deg: float | None
     """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
-    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+    and of a map from straight ahead, with the tool up (as down under a ceiling) from straight back, on a wall
+    from upright [default: the worst of all directions]."""
 
     direction_deg: float | None
     """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
@@ -344,7 +351,8 @@ class MapOptions(TypedDict, total=False):
     angle: str | float
     """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
     a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
+    its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges
+    from x of the cell, of a base that leans from its own)."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -375,7 +383,8 @@ class MapOptions(TypedDict, total=False):
     """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
 
     roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, with the tool up (as down under a
+    ceiling) back, on a wall upright [default: the best]."""
 
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
@@ -448,7 +457,8 @@ class ModesOptions(TypedDict, total=False):
     angle: str | float
     """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
     a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
+    its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges
+    from x of the cell, of a base that leans from its own)."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
@@ -483,8 +493,8 @@ class ModesOptions(TypedDict, total=False):
     """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: 0]."""
 
     roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the
-    stiffest]."""
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, with the tool up (as down under a
+    ceiling) back, on a wall upright [default: the stiffest]."""
 
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
@@ -613,7 +623,8 @@ class CompareOptions(TypedDict, total=False):
 
     feed_deg: float | None
     """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
-    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+    and of a map from straight ahead, with the tool up (as down under a ceiling) from straight back, on a wall
+    from upright [default: the worst of all directions]."""
 
     direction_deg: float | None
     """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
@@ -653,7 +664,8 @@ class CompareOptions(TypedDict, total=False):
     angle: str | float
     """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
     a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
+    its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges
+    from x of the cell, of a base that leans from its own)."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -687,7 +699,8 @@ class CompareOptions(TypedDict, total=False):
     """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
 
     roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, with the tool up (as down under a
+    ceiling) back, on a wall upright [default: the best]."""
 
     mount: str | None
     """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
@@ -958,8 +971,8 @@ class MeasureOptions(TypedDict, total=False):
     """Standard deviation of what is read of a coordinate [mm]."""
 
     posture_sigma_mm: float
-    """Standard deviation of what the model misses of a coordinate in a posture [mm], however often it is read
-    there: repeats do not take it away."""
+    """Standard deviation of what the model misses of a coordinate in a posture [mm], alike for all markers and
+    however often it is read there: neither more markers nor repeats take it away."""
 
     repeats: int
     """How often a posture is measured at most, whatever the load."""
@@ -1121,7 +1134,8 @@ class SweepOptions(TypedDict, total=False):
 
     feed_deg: float | None
     """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
-    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+    and of a map from straight ahead, with the tool up (as down under a ceiling) from straight back, on a wall
+    from upright [default: the worst of all directions]."""
 
     direction_deg: float | None
     """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
@@ -1161,7 +1175,8 @@ class SweepOptions(TypedDict, total=False):
     angle: str | float
     """Angle of a rectangle or a part, refused where there are circles alone: axes (horizontal or vertical; under
     a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of
-    its first side."""
+    its first side from the direction in which it lies from the joint-1 axis (with windows of three ranges
+    from x of the cell, of a base that leans from its own)."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -1195,7 +1210,8 @@ class SweepOptions(TypedDict, total=False):
     """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
 
     roll_deg: float | None
-    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, with the tool up (as down under a
+    ceiling) back, on a wall upright [default: the best]."""
 
     mount: str | None
     """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
@@ -1536,7 +1552,14 @@ class PlacedInRanking(_Pass):
     """Of the zone's plane about the vertical."""
 
     angle_deg: float | None
-    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
+    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
+    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
+    is."""
+
+    first_side: list[float] | None
+    """Which way the first side points where the zone stands, a unit vector: axes of the cell, of the base
+    without one; null in the plane."""
 
     roll_deg: float | None
     """About the tool axis."""
@@ -2194,7 +2217,14 @@ class Placed(_Pass):
     """Of the zone's plane about the vertical."""
 
     angle_deg: float | None
-    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
+    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
+    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
+    is."""
+
+    first_side: list[float] | None
+    """Which way the first side points where the zone stands, a unit vector: axes of the cell, of the base
+    without one; null in the plane."""
 
     roll_deg: float | None
     """About the tool axis."""
@@ -3180,6 +3210,9 @@ class ComplianceDict(TypedDict):
     joints_deg: list[float]
     """Joint angles as the robot reports them, deg."""
 
+    joints_beyond_limits: list[int]
+    """Joints beyond their limits at these angles, 0 for the angle between the links."""
+
     pendant: str
     """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
     whoever asks), unknown."""
@@ -3405,7 +3438,10 @@ class ModesOverZoneDict(TypedDict):
     """Of the zone's plane about the vertical."""
 
     angle_deg: float
-    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
+    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
+    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
+    is."""
 
     roll_deg: float | None
     """About the tool axis."""
@@ -3742,8 +3778,8 @@ class ComparisonDict(TypedDict):
     uncertainty of its drives is not known."""
 
     differ_in: list[str]
-    """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
-    place."""
+    """What is not the same of both besides the answer: robot, stiffness, model, tool, tool mass, tool direction,
+    force, component, task, tolerance, margins, mount, allowed place, angle, gap."""
 
     summary: list[str]
     """What a manager would read."""
@@ -4543,6 +4579,9 @@ class VerificationDict(TypedDict):
 
     alike: list[str]
     """What the readings do not tell apart, in words."""
+
+    zeros_not_seen: list[int]
+    """Joints whose zeros were not looked at, as a base or a tool that is fitted takes them up."""
 
     postures_deg: list[list[float]]
     """Postures that would tell it apart: joint angles."""

@@ -353,6 +353,9 @@ class Verification(Table[types.VerificationDict]):
     alike: list[str]
     """What the readings do not tell apart, in words."""
 
+    zeros_not_seen: list[int]
+    """Joints whose zeros were not looked at, as a base or a tool that is fitted takes them up."""
+
     postures_deg: list[list[float]]
     """Postures that would tell it apart: joint angles."""
 

@@ -125,7 +125,10 @@ class ModesOverZone(Table[types.ModesOverZoneDict]):
     """Of the zone's plane about the vertical."""
 
     angle_deg: float
-    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
+    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
+    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
+    is."""
 
     roll_deg: float | None
     """About the tool axis."""

@@ -144,7 +144,14 @@ class Placement(Table[types.PlacementDict]):
     """Of the zone's plane about the vertical."""
 
     angle_deg: float | None
-    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
+    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
+    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
+    is."""
+
+    first_side: list[float] | None
+    """Which way the first side points where the zone stands, a unit vector: axes of the cell, of the base
+    without one; null in the plane."""
 
     roll_deg: float | None
     """About the tool axis."""
@@ -377,8 +384,8 @@ class Comparison(Table[types.ComparisonDict]):
     uncertainty of its drives is not known."""
 
     differ_in: list[str]
-    """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
-    place."""
+    """What is not the same of both besides the answer: robot, stiffness, model, tool, tool mass, tool direction,
+    force, component, task, tolerance, margins, mount, allowed place, angle, gap."""
 
     summary: list[str]
     """What a manager would read."""

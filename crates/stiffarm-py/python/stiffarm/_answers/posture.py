@@ -57,6 +57,9 @@ class Compliance(Answer[types.ComplianceDict]):
     joints_deg: Array
     """Joint angles as the robot reports them, deg."""
 
+    joints_beyond_limits: list[int]
+    """Joints beyond their limits at these angles, 0 for the angle between the links."""
+
     pendant: str
     """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
     whoever asks), unknown."""
