@@ -3963,7 +3963,8 @@ class ComparedTable(TypedDict):
     parts of the compliances."""
 
     efficiency: float
-    """The bound over the value: 1 is proved best."""
+    """The bound over the value: 1 is proved best. Of a plan with --geometry both are squared, less the square of
+    what no measurement takes away."""
 
 
 class MeasurementPlanDict(TypedDict):
@@ -4007,7 +4008,8 @@ class MeasurementPlanDict(TypedDict):
     """No plan of so many runs of the candidates has less."""
 
     efficiency: float
-    """The bound over the value: 1 is proved best."""
+    """The bound over the value: 1 is proved best. Of a plan with --geometry both are squared, less the square of
+    what no measurement takes away."""
 
     random_efficiency: float | None
     """The same of the median random choice; null where that leaves some drive unseen."""
@@ -4099,7 +4101,8 @@ class CalibrationPlanDict(TypedDict):
     the arm does not reach it."""
 
     efficiency: float
-    """The bound over the value: 1 is proved best."""
+    """The bound over the value: 1 is proved best. Of a plan with --geometry both are squared, less the square of
+    what no measurement takes away."""
 
     random_efficiency: float
     """The same of the median random choice; null where that leaves some drive unseen."""

@@ -12,7 +12,7 @@ fields! {
     CRITERION: "criterion", Kind::Text, "What a plan is judged by.";
     CRITERION_VALUE: "value", Kind::Number(Unit::One), "By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in parts of the compliances.";
     CRITERION_BOUND: "lower_bound", Kind::Number(Unit::One), "No plan of so many runs of the candidates has less.";
-    EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best.";
+    EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best. Of a plan with --geometry both are squared, less the square of what no measurement takes away.";
     RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";
     CANDIDATES: "candidates", Kind::Count, "Among so many was chosen.";
     UNSEEN: "unseen_drives", Kind::List(&Kind::Count), "Drives that no candidate shows.";

@@ -10,6 +10,7 @@ use super::words::{self, fixed};
 use super::{
     Cell, Column, ColumnKind, Datum, Line, Record, Rows, Table, Unit, field, line, shape, stiffness, with_schema,
 };
+use stiffarm::identify::MOST_RELATIVE_ERROR;
 use stiffarm::limits::Pendant;
 use stiffarm::measure::{Cone, Criterion, Instrument, Options, Plan, Run};
 use stiffarm::robot::{Arm, Robot};
@@ -302,7 +303,10 @@ impl MeasureAnswer {
         }));
         let errors: Vec<String> = (plan.errors.iter().zip(robot.drive_compliance()).enumerate())
             .map(|(drive, (error, k))| match error.zip(k).filter(|(_, k)| 0.0 < *k) {
-                Some((error, k)) => format!("{} %", digits(100.0 * error / k, 2)),
+                Some((error, k)) => {
+                    let blind = if MOST_RELATIVE_ERROR < error / k { " (will not be identified)" } else { "" };
+                    format!("{} %{blind}", digits(100.0 * error / k, 2))
+                }
                 None => format!("drive {} not shown", drive + 1),
             })
             .collect();

@@ -153,7 +153,8 @@ class MeasurementPlan(Table[types.MeasurementPlanDict]):
     """No plan of so many runs of the candidates has less."""
 
     efficiency: float
-    """The bound over the value: 1 is proved best."""
+    """The bound over the value: 1 is proved best. Of a plan with --geometry both are squared, less the square of
+    what no measurement takes away."""
 
     random_efficiency: float | None
     """The same of the median random choice; null where that leaves some drive unseen."""
@@ -211,7 +212,8 @@ class CalibrationPlan(Table[types.CalibrationPlanDict]):
     the arm does not reach it."""
 
     efficiency: float
-    """The bound over the value: 1 is proved best."""
+    """The bound over the value: 1 is proved best. Of a plan with --geometry both are squared, less the square of
+    what no measurement takes away."""
 
     random_efficiency: float
     """The same of the median random choice; null where that leaves some drive unseen."""
