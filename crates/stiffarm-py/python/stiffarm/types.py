@@ -1553,9 +1553,8 @@ class PlacedInRanking(_Pass):
 
     angle_deg: float | None
     """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
-    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
-    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
-    is."""
+    Counted from the direction in which the zone lies from the joint-1 axis (on a wall from upright; for a
+    tool that points up from the opposite direction); where the side then points is told beside it."""
 
     first_side: list[float] | None
     """Which way the first side points where the zone stands, a unit vector: axes of the cell, of the base
@@ -2218,9 +2217,8 @@ class Placed(_Pass):
 
     angle_deg: float | None
     """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
-    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
-    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
-    is."""
+    Counted from the direction in which the zone lies from the joint-1 axis (on a wall from upright; for a
+    tool that points up from the opposite direction); where the side then points is told beside it."""
 
     first_side: list[float] | None
     """Which way the first side points where the zone stands, a unit vector: axes of the cell, of the base
@@ -3439,9 +3437,8 @@ class ModesOverZoneDict(TypedDict):
 
     angle_deg: float
     """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.
-    It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a
-    leaning base: from upright), for a tool that points up from the opposite one; first_side says where that
-    is."""
+    Counted from the direction in which the zone lies from the joint-1 axis (on a wall from upright; for a
+    tool that points up from the opposite direction); where the side then points is told beside it."""
 
     roll_deg: float | None
     """About the tool axis."""

@@ -46,7 +46,7 @@ fields! {
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
     YAW: "yaw_deg", Kind::Number(Unit::Degree), "Of the zone's plane about the vertical.";
-    ANGLE: "angle_deg", Kind::Number(Unit::Degree), "Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it. It counts from the direction in which the zone lies from the joint-1 axis (where that has a wall or a leaning base: from upright), for a tool that points up from the opposite one; first_side says where that is.";
+    ANGLE: "angle_deg", Kind::Number(Unit::Degree), "Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it. Counted from the direction in which the zone lies from the joint-1 axis (on a wall from upright; for a tool that points up from the opposite direction); where the side then points is told beside it.";
     FIRST_SIDE: "first_side", numbers(Unit::One, &["first_side_x", "first_side_y", "first_side_z"]), "Which way the first side points where the zone stands, a unit vector: axes of the cell, of the base without one; null in the plane.";
     ROLL: "roll_deg", Kind::Number(Unit::Degree), "About the tool axis.";
     SHOULDER: "shoulder", Kind::Text, "front or back.";
