@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;
 
-use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use stiffarm::catalogue::find;
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Pendant, ThirdAxis};
@@ -217,6 +217,15 @@ fn configurations_are_those_that_a_person_sees() {
     assert_eq!((quarters, letters.as_str()), (vec![-2.0, 0.0, 0.0, 6.0], "N U B, 0, 0, 0"));
 }
 
+/// What a frame is to be, from the remarks of the head of an LS file.
+fn to_be_set(text: &str, start: &str) -> (Vector3<f64>, Matrix3<f64>) {
+    let remarks = text.lines().filter_map(|line| line.split_once("  !")).map(|(_, remark)| remark);
+    let head = remarks.map(|remark| remark.trim_end_matches(" ;")).collect::<Vec<_>>().join(" ");
+    let (_, rest) = head.split_once(start).unwrap();
+    let [x, y, z, r, p, w] = six(rest.split_once(" deg").unwrap().0);
+    of_angles([x, y, z, r, p, w])
+}
+
 #[test]
 fn ls_leads_the_tool_where_the_joints_put_it_in_the_frames_of_a_fanuc() {
     let geometry = kuka();
@@ -236,14 +245,7 @@ fn ls_leads_the_tool_where_the_joints_put_it_in_the_frames_of_a_fanuc() {
             assert_near(&of_angles([x, y, z, r, p, w]), &setup.part_from_tool(0, &station.joints), text);
         }
     }
-    // What UFRAME and UTOOL are to be, from the remarks of the head.
-    let remarks = program.lines().filter_map(|line| line.split_once("  !")).map(|(_, remark)| remark);
-    let head = remarks.map(|remark| remark.trim_end_matches(" ;")).collect::<Vec<_>>().join(" ");
-    let frame = |start: &str| {
-        let (_, rest) = head.split_once(start).unwrap();
-        let [x, y, z, r, p, w] = six(rest.split_once(" deg").unwrap().0);
-        of_angles([x, y, z, r, p, w])
-    };
+    let frame = |start: &str| to_be_set(&text, start);
     let up = Pose::translation(0.0, 0.0, 0.675);
     let user = frame("at the height of joint 2, to: ");
     assert_near(&(user.0 + up.translation.vector, user.1), &setup.base_from_part, "UFRAME");
@@ -528,9 +530,40 @@ fn the_first_joints_of_a_fanuc_program_lead_its_published_chain_to_where_the_pat
     let reached = published_chain(&first_joints(&text));
     let wanted =
         setup.base_from_part * setup.part_from_tool(0, &stations[0].joints) * setup.tools[0].flange_from_tool.inverse();
-    // Angles to 1e-6 deg on 3 m; the two flange frames differ by a turn about their common z.
+    // Angles to 1e-6 deg on 3 m.
     assert!((reached.translation.vector - wanted.translation.vector).norm() < NEAR, "{reached} {wanted}");
-    assert!((reached.rotation * Vector3::z() - wanted.rotation * Vector3::z()).norm() < NEAR, "{reached} {wanted}");
+    // At zero x of that chain points up, as of a Fanuc: the tool that is to be set stands in its flange where the path begins.
+    let up = published_chain(&[0.0; 6]).rotation * Vector3::x();
+    assert!((up - Vector3::z()).norm() < NEAR, "{up}");
+    let (at, turn) = to_be_set(&text, "UTOOL 1, in the flange frame, to: ");
+    let tip = ((reached * Point3::from(at)).coords, reached.rotation.to_rotation_matrix().matrix() * turn);
+    let wanted = setup.base_from_part * setup.part_from_tool(0, &stations[0].joints);
+    assert_near(&tip, &wanted, "the tip by the chain and UTOOL");
+}
+
+/// A Fanuc's flange has x up at its zeros, whatever a robot file takes for the zero of joint 6; KUKA's and ABB's has it down.
+#[test]
+fn a_tool_is_set_in_the_flange_frame_of_the_maker_whatever_the_file_counts_as_zero() {
+    let plain = kuka();
+    for (offset_6, fanuc, kuka) in [(0.0, [-1.0, -1.0], [1.0, 1.0]), (180.0, [1.0, 1.0], [-1.0, -1.0])] {
+        let mut offset = plain.offset;
+        offset[5] = f64::to_radians(offset_6);
+        let geometry = Geometry { offset, ..plain.clone() };
+        let tools = [Tool { number: None, flange_from_tool: Pose::translation(0.01, 0.02, 0.15) }];
+        let setup = Setup { tools: &tools, ..setup(&geometry) };
+        let stations = stations(2, 5);
+        let (at, _) =
+            to_be_set(&one_file(Language::Ls, &setup, &stations, &style()), "UTOOL 1, in the flange frame, to: ");
+        let expected = Vector3::new(0.01 * fanuc[0], 0.02 * fanuc[1], 0.15);
+        assert!((at - expected).norm() < NEAR, "{offset_6}: {at}");
+        let krl = one_file(Language::Krl, &setup, &stations, &style());
+        let (_, rest) = krl.split_once("$TOOL={X ").unwrap();
+        let x: f64 = rest.split_once(',').unwrap().0.parse().unwrap();
+        assert!((x - 10.0 * kuka[0]).abs() < 1e-3, "{offset_6}: {x}");
+        let ros = one_file(Language::Ros2, &setup, &stations, &style());
+        let towards = if offset_6 == 0.0 { "x points down" } else { "x points up" };
+        assert!(ros.contains(towards), "{offset_6}: {ros}");
+    }
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! What must a person know before a program runs? The head of each file says it, in ASCII.
 
-use super::ProgramFault;
 use super::angles::{Zyx, fixed, mm};
 use super::steps::Program;
+use super::{Flange, ProgramFault};
 use crate::limits::Pendant;
 use crate::plain::on_one_line;
 use crate::spatial::Pose;
@@ -15,13 +15,13 @@ pub(super) struct Dialect<'a> {
     pub(super) frame: (&'a str, Pose),
     /// The same of each tool.
     pub(super) tools: Vec<(String, Pose)>,
-    /// Where x points in the flange frame while the forearm is level.
-    pub(super) flange_x: &'a str,
+    /// In whose flange frame they are.
+    pub(super) flange: Flange,
 }
 
 /// Every tool with the words before its frame.
-pub(super) fn tools(program: &Program, what: &str) -> Vec<(String, Pose)> {
-    let named = |tool: &super::Tool| (format!("{}, {what}", tool.name()), tool.flange_from_tool);
+pub(super) fn tools(program: &Program, flange: Flange, what: &str) -> Vec<(String, Pose)> {
+    let named = |tool: &super::Tool| (format!("{}, {what}", tool.name()), program.setup.tool_in(flange, tool));
     program.setup.tools.iter().map(named).collect()
 }
 
@@ -41,8 +41,8 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     head.extend([format!("Robot: {}", ascii(setup.robot)), frame(dialect.frame.0, &dialect.frame.1)]);
     head.extend(dialect.tools.iter().map(|(what, pose)| frame(what, pose)));
     head.extend([format!(
-        "Flange frame: z out along axis 6; with the forearm level and the wrist straight, x points {}.",
-        dialect.flange_x
+        "Flange frame: z out along axis 6; with the forearm level, the wrist straight and joints 4 and 6 at 0, x points {}.",
+        dialect.flange.x(setup.geometry)
     )]);
     head.push(match setup.stiffness {
         Some(source) => format!("The deflection under the cutting force is taken out. Stiffness: {}", ascii(source)),
@@ -71,8 +71,8 @@ pub(super) fn of_joints_alone(program: &Program) -> Result<Vec<String>, ProgramF
     let dialect = Dialect {
         angles: ["Rz", "Ry", "Rx"],
         frame: ("Part, in the robot's base", setup.base_from_part),
-        tools: tools(program, "in the flange frame"),
-        flange_x: "down",
+        tools: tools(program, Flange::OfFile, "in the flange frame"),
+        flange: Flange::OfFile,
     };
     let mut lines = sentences(program, &dialect);
     lines.pop(); // that of the gimbal

@@ -3,7 +3,7 @@
 use super::angles::{OF_ANGLE, OF_JOINT, Zyx, fixed, mm};
 use super::head::{Dialect, Text, sentences, tools};
 use super::steps::{Program, Step};
-use super::{Language, ProgramFile};
+use super::{Flange, Language, ProgramFile};
 use crate::spatial::Pose;
 
 /// What a controller goes by that is at hand before the start, percent.
@@ -31,8 +31,8 @@ fn begun(program: &Program, name: &str) -> Text {
     let dialect = Dialect {
         angles: ["A", "B", "C"],
         frame: ("Work object, $BASE in the robot's base (ROBROOT)", setup.base_from_part),
-        tools: tools(program, "$TOOL in the flange frame"),
-        flange_x: "down",
+        tools: tools(program, Flange::Down, "$TOOL in the flange frame"),
+        flange: Flange::Down,
     };
     let mut text = Text::default();
     text.line(&format!("DEF {name}()"));
@@ -71,7 +71,7 @@ fn part(program: &Program, name: &str, steps: &[Step]) -> Text {
 /// Takes the tool of a step, and goes there in joints, where they are known.
 fn begin(program: &Program, step: &Step, text: &mut Text) {
     let setup = program.setup;
-    text.line(&format!("$TOOL={{{}}}", frame(&setup.tools[step.tool].flange_from_tool)));
+    text.line(&format!("$TOOL={{{}}}", frame(&setup.tool_in(Flange::Down, &setup.tools[step.tool]))));
     let start = if setup.knows_joints() {
         let joint = |(i, q): (usize, f64)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT));
         (1..).zip(step.joints).map(joint).collect::<Vec<_>>().join(",")

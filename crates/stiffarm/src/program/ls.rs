@@ -7,7 +7,7 @@ use nalgebra::{Translation3, Vector3};
 use super::angles::{OF_ANGLE, OF_JOINT, fixed, mm};
 use super::head::{Dialect, Text, sentences};
 use super::steps::{Program, Step};
-use super::{Language, ProgramFile, Setup, Tool};
+use super::{Flange, Language, ProgramFile, Setup, Tool};
 use crate::spatial::Pose;
 
 /// The user frame of the program, which the controller holds under this number; its tools have the numbers from 1.
@@ -58,13 +58,13 @@ fn head(program: &Program) -> Vec<String> {
     let setup = program.setup;
     let of_frame = |(i, tool): (usize, &Tool)| {
         let name = tool.number.map_or_else(String::new, |number| format!(" for T{number}"));
-        (format!("Set UTOOL {}{name}, in the flange frame, to", i + 1), flange_from_tool(tool))
+        (format!("Set UTOOL {}{name}, in the flange frame, to", i + 1), setup.tool_in(Flange::Up, tool))
     };
     let dialect = Dialect {
         angles: ["R", "P", "W"],
         frame: ("Set UFRAME 1, in WORLD at the height of joint 2, to", world_from_part(setup)),
         tools: setup.tools.iter().enumerate().map(of_frame).collect(),
-        flange_x: "up",
+        flange: Flange::Up,
     };
     let mut sentences = sentences(program, &dialect);
     sentences.push("Speeds are rounded to 0.1 mm/s.".into());
@@ -81,11 +81,6 @@ fn head(program: &Program) -> Vec<String> {
 /// From WORLD, whose origin is where axis 1 passes joint 2's height.
 fn world_from_part(setup: &Setup) -> Pose {
     Pose::translation(0.0, 0.0, -setup.geometry.c1) * setup.base_from_part
-}
-
-/// From Fanuc's flange frame, half a turn about z from ours.
-fn flange_from_tool(tool: &Tool) -> Pose {
-    Pose::rotation(Vector3::z() * PI) * tool.flange_from_tool
 }
 
 fn moves(program: &Program, steps: &[Step]) -> Vec<String> {

@@ -8,9 +8,10 @@
 //! lines, and begins with a move to the first pose in the posture in which it finds the robot.
 //! A controller that corrects elastic or other errors on its own would do so twice: the head of each file says that it must not.
 //!
-//! Frames: the base is that of the robot's geometry, z up, x forward, on the floor. In the flange frame z points out along axis 6;
-//! where the forearm is level and the model's angles 4, 5 and 6 are zero, x points down: KUKA's and ABB's own convention. Fanuc's x
-//! points up there, and its world frame stands on axis 1 at the height of joint 2: LS files speak in those.
+//! Frames: the base is that of the robot's geometry, z up, x forward, on the floor. In every flange frame z points out along axis 6;
+//! where the forearm is level, the wrist straight and joints 4 and 6 are at 0, x points down in KUKA's and ABB's, and up in Fanuc's, whose
+//! world frame stands on axis 1 at the height of joint 2. Programs speak in those; where x of the robot file points there, its zeros of the
+//! joints 4 and 6 say.
 //!
 //! SI inside; with the other borders the only module that knows mm and degrees.
 
@@ -27,6 +28,11 @@ mod steps;
 
 pub use fault::ProgramFault;
 
+use std::f64::consts::PI;
+
+use nalgebra::Vector3;
+
+use crate::angle::wrapped;
 use crate::chain::TrueArm;
 use crate::geometry::Geometry;
 use crate::limits::{Pendant, ThirdAxis};
@@ -61,6 +67,40 @@ impl Tool {
     /// As heads and stops name it.
     fn name(&self) -> String {
         self.number.map_or_else(|| "Tool".into(), |number| format!("Tool T{number}"))
+    }
+}
+
+/// Whose flange frame is meant: where its x points with the forearm level, the wrist straight and joints 4 and 6 at 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flange {
+    /// That of the robot file, with which it was said where the tool is.
+    OfFile,
+    /// A maker's, x down.
+    Down,
+    /// A maker's, x up.
+    Up,
+}
+
+impl Flange {
+    /// From one whose x points down there to this one about z, rad.
+    fn turn(self, geometry: &Geometry) -> f64 {
+        match self {
+            Self::OfFile => -(geometry.offset[3] + geometry.offset[5]),
+            Self::Down => 0.0,
+            Self::Up => PI,
+        }
+    }
+
+    /// Where its x points there.
+    fn x(self, geometry: &Geometry) -> String {
+        let turn = wrapped(self.turn(geometry)).to_degrees();
+        let quarters = ["down", "left", "up", "right"];
+        let quarter = (turn / 90.0).round();
+        if (turn - 90.0 * quarter).abs() < 1e-6 {
+            quarters[quarter.rem_euclid(4.0) as usize].into()
+        } else {
+            format!("down, turned by {turn:.3} deg about z")
+        }
     }
 }
 
@@ -131,6 +171,12 @@ impl Setup<'_> {
     /// Joint angles may be written: the controller counts them as the robot file does.
     pub fn knows_joints(&self) -> bool {
         *self.pendant != Pendant::Unknown
+    }
+
+    /// A tool in a flange frame.
+    fn tool_in(&self, flange: Flange, tool: &Tool) -> Pose {
+        let turn = wrapped(Flange::OfFile.turn(self.geometry) - flange.turn(self.geometry));
+        Pose::rotation(Vector3::z() * turn) * tool.flange_from_tool
     }
 
     /// A tool in the part at joint angles as reported, rad, as the controller has it.

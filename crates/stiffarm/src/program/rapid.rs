@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::angles::{OF_JOINT, OF_QUATERNION, fixed, mm, quaternion};
 use super::head::{Dialect, Text, sentences, tools};
 use super::steps::{Program, Step};
-use super::{Language, ProgramFile, Setup};
+use super::{Flange, Language, ProgramFile, Setup};
 use crate::spatial::Pose;
 
 /// No further axes.
@@ -44,8 +44,8 @@ fn begun(program: &Program, name: &str) -> Text {
     let dialect = Dialect {
         angles: ["Rz", "Ry", "Rx"],
         frame: ("Work object, in the robot's base", setup.base_from_part),
-        tools: tools(program, "in the flange frame (tool0)"),
-        flange_x: "down",
+        tools: tools(program, Flange::Down, "in the flange frame (tool0)"),
+        flange: Flange::Down,
     };
     let mut head = sentences(program, &dialect);
     // Quaternions have no gimbal.
@@ -67,7 +67,7 @@ fn data(program: &Program, text: &mut Text) {
     let part = frame(&setup.base_from_part);
     text.line("  ! The load [1,[0,0,1],...] only stands in for the one that is to be identified.");
     for (i, tool) in setup.tools.iter().enumerate() {
-        let (name, tool) = (tool_name(program, i), frame(&tool.flange_from_tool));
+        let (name, tool) = (tool_name(program, i), frame(&setup.tool_in(Flange::Down, tool)));
         text.line(&format!("  PERS tooldata {name}:=[TRUE,[{tool}],[1,[0,0,1],[1,0,0,0],0,0,0]];"));
     }
     text.line(&format!("  PERS wobjdata {name}_wobj:=[FALSE,TRUE,\"\",[{part}],[[0,0,0],[1,0,0,0]]];"));
