@@ -23,77 +23,38 @@ mod slots;
 mod study;
 mod verify;
 
-/// What a key means: its unit, and what it is.
-pub mod field {
-    pub use crate::answer::keys::kinds::{Field, Kind, Unit};
+/// The modules that have keys, and those that have objects, each in the order in which they are listed.
+macro_rules! listed {
+    (fields: $($field:ident)*; shapes: $($shape:ident)*) => {
+        /// What a key means: its unit, and what it is.
+        pub mod field {
+            pub use crate::answer::keys::kinds::{Field, Kind, Unit};
 
-    pub use crate::answer::keys::calibrate::field::*;
-    pub use crate::answer::keys::cell::field::*;
-    pub use crate::answer::keys::chatter::field::*;
-    pub use crate::answer::keys::compliance::field::*;
-    pub use crate::answer::keys::force::field::*;
-    pub use crate::answer::keys::identify::field::*;
-    pub use crate::answer::keys::load::field::*;
-    pub use crate::answer::keys::map::field::*;
-    pub use crate::answer::keys::measure::field::*;
-    pub use crate::answer::keys::mill::field::*;
-    pub use crate::answer::keys::modes::field::*;
-    pub use crate::answer::keys::path::field::*;
-    pub use crate::answer::keys::place::field::*;
-    pub use crate::answer::keys::rank::field::*;
-    pub use crate::answer::keys::robots::field::*;
-    pub use crate::answer::keys::schema::field::*;
-    pub use crate::answer::keys::study::field::*;
-    pub use crate::answer::keys::verify::field::*;
+            $(pub use crate::answer::keys::$field::field::*;)*
 
-    /// All of them.
-    pub fn all() -> impl Iterator<Item = &'static Field> {
-        let lists = [
-            crate::answer::keys::place::field::FIELDS,
-            crate::answer::keys::rank::field::FIELDS,
-            crate::answer::keys::compliance::field::FIELDS,
-            crate::answer::keys::study::field::FIELDS,
-            crate::answer::keys::map::field::FIELDS,
-            crate::answer::keys::load::field::FIELDS,
-            crate::answer::keys::modes::field::FIELDS,
-            crate::answer::keys::chatter::field::FIELDS,
-            crate::answer::keys::robots::field::FIELDS,
-            crate::answer::keys::identify::field::FIELDS,
-            crate::answer::keys::measure::field::FIELDS,
-            crate::answer::keys::path::field::FIELDS,
-            crate::answer::keys::force::field::FIELDS,
-            crate::answer::keys::mill::field::FIELDS,
-            crate::answer::keys::verify::field::FIELDS,
-            crate::answer::keys::calibrate::field::FIELDS,
-            crate::answer::keys::cell::field::FIELDS,
-            crate::answer::keys::schema::field::FIELDS,
-        ];
-        lists.into_iter().flatten()
-    }
+            /// All of them.
+            pub fn all() -> impl Iterator<Item = &'static Field> {
+                [$(crate::answer::keys::$field::field::FIELDS),*].into_iter().flatten()
+            }
+        }
+
+        mod shapes {
+            $(pub use crate::answer::keys::$shape::shape::*;)*
+        }
+    };
+}
+
+listed! {
+    fields: place rank compliance study map load modes chatter robots identify measure path force mill verify calibrate cell schema;
+    shapes: calibrate chatter compare compliance identify map measure mill modes path place rank robots schema study verify
 }
 
 /// Which fields an object of an answer holds, and in which order.
 pub mod shape {
     use crate::request::Verb;
 
+    pub use crate::answer::keys::shapes::*;
     pub use crate::answer::keys::slots::{Shape, Slot};
-
-    pub use crate::answer::keys::calibrate::shape::*;
-    pub use crate::answer::keys::chatter::shape::*;
-    pub use crate::answer::keys::compare::shape::*;
-    pub use crate::answer::keys::compliance::shape::*;
-    pub use crate::answer::keys::identify::shape::*;
-    pub use crate::answer::keys::map::shape::*;
-    pub use crate::answer::keys::measure::shape::*;
-    pub use crate::answer::keys::mill::shape::*;
-    pub use crate::answer::keys::modes::shape::*;
-    pub use crate::answer::keys::path::shape::*;
-    pub use crate::answer::keys::place::shape::*;
-    pub use crate::answer::keys::rank::shape::*;
-    pub use crate::answer::keys::robots::shape::*;
-    pub use crate::answer::keys::schema::shape::*;
-    pub use crate::answer::keys::study::shape::*;
-    pub use crate::answer::keys::verify::shape::*;
 
     /// What a verb answers, one of these, behind its schema: of a zone first, then of a path. The catalogue is a list of robots by the keys of
     /// their files.
