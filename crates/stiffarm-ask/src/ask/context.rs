@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use stiffarm::catalogue::measurements::{Measurements, Points};
-use stiffarm::catalogue::readings::{self, Readings};
+use stiffarm::catalogue::readings::{self, Notation, Readings};
 use stiffarm::catalogue::{Faults, ProcessFile, files, read_process_beside};
 use stiffarm::chatter::{MeasuredTip, read_response};
 use stiffarm::watch::{Stopped, Watch};
@@ -121,7 +121,8 @@ pub(super) fn readings_of(vendor: &str, (asked, context): (&Request, Context)) -
     for remark in &found.remarks {
         context.listener.remark(&format!("note: {shown}: {remark}"));
     }
-    if let Some(notation) = found.notation {
+    // Of the others the headings say which angles they are.
+    if let Some(notation @ (Notation::FixedXyz | Notation::TurnedXyz)) = found.notation {
         context.listener.remark(&format!("note: {shown}: the orientation is read as {}", notation.about()));
     }
     Ok((found, shown))
