@@ -342,6 +342,29 @@ fn a_flange_without_its_orientation_verifies_no_joint_6() {
     assert_eq!((fitted.verified, fitted.zeros_not_seen), (true, vec![1, 6]), "base and tool take them up");
 }
 
+/// The other sign of joint 5 stands where half turns of joints 4 and 6 do, that of joint 6 with a tool that is fitted where half a turn of joint 5 does.
+#[test]
+fn one_sign_is_told_and_not_the_half_turns_that_stand_for_it() {
+    let none = (Isometry3::identity(), Isometry3::identity());
+    let options = VerifyOptions { base: Some(none.0), tool: Some(none.1) };
+    for name in ["KR 210 R2700 extra", "TX90", "IRB 6650S-200"] {
+        let file = find(name).unwrap().robot();
+        let postures = POSTURES
+            .map(|q| if name == "KR 210 R2700 extra" { q } else { [q[0], q[1] + 90.0, q[2] - 90.0, q[3], q[4], q[5]] });
+        for joint in [4, 5] {
+            let robot = with(&file, |geometry, _| geometry.sign[joint] *= -1.0);
+            let (geometry, limits) = parts(&file);
+            let own = stiffarm::verify::Convention::of(&geometry, &limits);
+            for (frames, options) in [(none, &options), (frames(), &VerifyOptions::default())] {
+                let readings = readings(&table_in(frames, &robot, &postures, Some(Notation::Abc)), &file.vendor);
+                let found = verify(&file, &readings, options, &[], Watch::nobody()).unwrap();
+                let expected = format!("joint {} counts the other way", joint + 1);
+                assert_eq!(found.fits[0].1.convention.differences(&own), [expected], "{name}: {:?}", found.fits[0].1);
+            }
+        }
+    }
+}
+
 /// One zero is off by 0.005 deg, 0.2 mm at the flange: that one is told, and nothing of the others is changed.
 #[test]
 fn of_a_small_fault_no_more_is_told_than_is_there() {

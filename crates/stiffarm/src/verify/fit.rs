@@ -3,6 +3,7 @@
 use nalgebra::{Point3, Vector3};
 
 use super::{Convention, VerifyOptions};
+use crate::angle::wrapped;
 use crate::catalogue::readings::Readings;
 use crate::geometry::Geometry;
 use crate::registration::{Problem, Sight, State};
@@ -56,14 +57,18 @@ impl Fit {
         self.largest <= AGREED && self.largest_turn.is_none_or(|turn| turn <= AGREED_TURN)
     }
 
-    /// How much must be assumed for it: what it changes of a file's way of counting, a base that leans, a tool behind the wrist. Ways of counting
-    /// that differ in these alone stand at the same places.
+    /// How much must be assumed for it: what it changes of a file's way of counting, a zero that is half a turn off as much as two changes, a base
+    /// that leans, a tool behind the wrist. Ways of counting that differ in these alone stand at the same places.
     pub(super) fn assumed(&self, geometry: &Geometry, file: &Convention) -> usize {
         /// Cosine of the lean of a base that stands on its floor.
         const UPRIGHT: f64 = 0.99;
+        /// rad: nearer to half a turn than to a quarter.
+        const HALF: f64 = 0.75 * std::f64::consts::PI;
+        let zeros = self.convention.offset.iter().zip(&file.offset);
+        let half_turns = zeros.filter(|(own, file)| HALF < wrapped(*own - *file).abs()).count();
         let leans = !self.is_measured && self.bases.iter().any(|base| (base.rotation * Vector3::z()).z < UPRIGHT);
         let is_behind = self.points.iter().any(|point| point.z < -geometry.c4);
-        self.convention.differences(file).len() + usize::from(leans) + usize::from(is_behind)
+        self.convention.differences(file).len() + half_turns + usize::from(leans) + usize::from(is_behind)
     }
 
     /// Where the flange is expected, seen from the first stand.

@@ -26,8 +26,14 @@ pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch:
     let table = &all.thinned(ROWS);
     let free = table.free();
     let near = [file.clone(), file.with_third(0.0)];
-    let mut found: Vec<Fit> =
-        near.iter().map(|convention| settled(table, geometry, (convention, file), &free)).collect();
+    // One sign stands for half turns of other joints of the wrist, and is what is wrong rather than those.
+    let signs = (0..6).map(|joint| {
+        let mut one = file.clone();
+        one.sign[joint] = -one.sign[joint];
+        one
+    });
+    let first: Vec<Convention> = near.iter().cloned().chain(signs).collect();
+    let mut found = parallel::each(&first, |convention| settled(table, geometry, (convention, file), &free));
     if !found.iter().any(Fit::agrees) {
         watch.go_on()?;
         let every: Vec<Convention> = every(file);
