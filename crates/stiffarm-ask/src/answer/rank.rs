@@ -206,7 +206,7 @@ impl RankAnswer {
             record
                 .put(field::TASK, &asked.label)
                 .put(field::BEST, name(best))
-                .put(field::DISTINGUISHED, best.map(|_| rivals.is_empty()))
+                .put(field::DISTINGUISHED, best.map(|best| rivals.is_empty() && !self.is_barred(best)))
                 .put(field::RIVALS, json!(rivals))
                 .put(field::BEST_WITH_ESTIMATED, name(self.best(task, |_| true)))
                 .put(field::BEST_SERIAL, of(Architecture::Serial))

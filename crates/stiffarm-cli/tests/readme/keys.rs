@@ -94,7 +94,7 @@ fn a_key_of_several_meanings_has_that_of_its_place() {
         (Verb::Mill, "| `verdict` | text | pass where the tolerance is kept"),
         (Verb::Map, "| `zone.deflection_mm` | mm | The worst deflection in the zone at its best place. |"),
         (Verb::Calibrate, "| `at_work.postures` | count | Postures over which it is "),
-        (Verb::Rank, "| `winners[].best` | text | The best robot whose geometry and limits are published. |"),
+        (Verb::Rank, "| `winners[].best` | text | The best robot whose geometry and limits are published: of those "),
         (Verb::Study, "| `rows[].best` | yes or no | The link ratio is the best. |"),
         (Verb::Measure, "| `compared.file` | text | The table. |"),
         (Verb::Modes, "| `modes[].least_at_m` | m |"),

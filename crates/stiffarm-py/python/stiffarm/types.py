@@ -1741,7 +1741,8 @@ class Winner(TypedDict):
     """The zone as it was asked for."""
 
     best: str | None
-    """The best robot whose geometry and limits are published."""
+    """The best robot whose geometry and limits are published: of those that may be taken (clear, and strong
+    enough for the tool), or where none may, of all."""
 
     told_apart: bool | None
     """It is proved that no other is as good, at the nominal stiffness."""

@@ -18,7 +18,7 @@ fields! {
     CELLS: "cells", Kind::Objects, "One placement per task.";
     ROWS: "rows", Kind::Objects, "One entry per row.";
     WINNERS: "winners", Kind::Objects, "Who is best at each task.";
-    BEST: "best", Kind::Text, "The best robot whose geometry and limits are published.";
+    BEST: "best", Kind::Text, "The best robot whose geometry and limits are published: of those that may be taken (clear, and strong enough for the tool), or where none may, of all.";
     BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";

@@ -20,7 +20,7 @@ impl RankAnswer {
         let Ranking { rows, tasks, in_plane, .. } = &self.ranking;
         let mut notes = String::from("* best of the robots whose geometry is published");
         if rows.iter().any(|row| self.is_barred(row)) {
-            notes += " and that may be taken";
+            notes += ", of those that may be taken where there are such";
         }
         if (0..tasks.len()).any(|task| !self.rivals(task).is_empty()) {
             notes += "; = may be as good: its proved bound does not lie above the value of the best";

@@ -176,7 +176,7 @@ impl RankAnswer {
             let clearance = clearance(&row.robot, asked, &self.ranking.tasks[task], best)?;
             let by = fixed(-clearance.distance * 1e3, 0);
             let between = words::clearance_between(&clearance);
-            Some(format!("{} on {}: {between} by {by} mm", row.robot.name, self.ranking.tasks[task].label))
+            Some(format!("{} on {}: by {by} mm, {between}", row.robot.name, self.ranking.tasks[task].label))
         };
         rows.iter().flat_map(|(row, tasks)| tasks.iter().filter_map(move |&task| of(row, task))).collect()
     }
