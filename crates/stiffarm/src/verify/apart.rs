@@ -126,10 +126,12 @@ fn rivals(table: &Table, geometry: &Geometry, candidates: &[[f64; 6]], fit: &Fit
     let is_other = |rival: &Rival| {
         let between = |q: &[f64; 6]| fit.flange(geometry, q).inverse() * rival.fit.flange(geometry, q);
         let probes = &candidates[..candidates.len().min(20)];
-        probes.windows(2).any(|pair| {
-            let changed = between(&pair[0]).inverse() * between(&pair[1]);
-            1e-4 < changed.translation.vector.norm() || 1e-4 < changed.rotation.angle()
-        })
+        // Of one posture nothing is known.
+        probes.len() < 2
+            || probes.windows(2).any(|pair| {
+                let changed = between(&pair[0]).inverse() * between(&pair[1]);
+                1e-4 < changed.translation.vector.norm() || 1e-4 < changed.rotation.angle()
+            })
     };
     let fits_as_well = |rival: &Rival| {
         if table.readings.is_measured {
