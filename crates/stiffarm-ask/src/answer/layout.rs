@@ -107,9 +107,7 @@ impl PlaceAnswer {
     /// its turn about the vertical, rad, as `mill --at` takes them. `None` of a zone that is not met from above, and where nothing is known of the
     /// base.
     pub fn stand_of_path(&self) -> Option<[f64; 4]> {
-        // Of a base that leans a path says otherwise where it stands.
-        let leans = self.options.cell.is_some_and(|cell| !cell.mount.is_vertical());
-        let Layout { centre: [x, y, z], yaw, .. } = self.layout().filter(|_| !leans)?;
+        let Layout { centre: [x, y, z], yaw, .. } = self.layout()?;
         Some([x, y, z, yaw?])
     }
 
