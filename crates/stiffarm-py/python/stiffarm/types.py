@@ -972,7 +972,8 @@ class MeasureOptions(TypedDict, total=False):
 
     posture_sigma_mm: float
     """Standard deviation of what the model misses of a coordinate in a posture [mm], alike for all markers and
-    however often it is read there: neither more markers nor repeats take it away."""
+    however often it is read there: neither more markers nor repeats take it away (where markers err less
+    alike, planned errors are upper bounds)."""
 
     repeats: int
     """How often a posture is measured at most, whatever the load."""

@@ -190,7 +190,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm",
         value: "MM",
         absent: Absent::Default("0.1"),
-        help: "Standard deviation of what the model misses of a coordinate in a posture, alike for all markers and however often it is read there: neither more markers nor repeats take it away",
+        help: "Standard deviation of what the model misses of a coordinate in a posture, alike for all markers and however often it is read there: neither more markers nor repeats take it away (where markers err less alike, planned errors are upper bounds)",
         example: "0.2",
         ..ROW
     }),
