@@ -301,7 +301,7 @@ impl CompareAnswer {
 
 /// The arm collides at its place.
 fn collides(side: &PlaceAnswer) -> bool {
-    side.clearance().is_some_and(|clearance| clearance.distance < 0.0)
+    side.best().is_some_and(Placement::collides_in_space)
 }
 
 /// A setup is not to be taken, whatever its deflection: its arm collides, or it carries more than it may.
