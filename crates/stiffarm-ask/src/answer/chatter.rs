@@ -280,6 +280,7 @@ impl ChatterAnswer {
         let within = [0.5, 1.5].map(|share| fixed(share * self.rpm(), 0)).join(" to ");
         match self.calm_rpm().as_deref() {
             None if self.chatter.drives_are_assumed => "not known: the stiffness is nobody's".into(),
+            None if self.chatter.is_vague() => "not known: the measured table does not decide it".into(),
             None => "not known: counted tooth by tooth, depths at other speeds have no interval".into(),
             Some([]) => format!("none from {within} rpm: at each, fewer than 95 of 100 draws allow the cut"),
             Some(speeds) => {

@@ -18,9 +18,10 @@ impl Chatter {
     /// Speeds of the spindle at which the cut is less deep than what swings in 95 of 100 draws, rad/s: from where to where, ascending, among the
     /// speeds of the chart within 0.5 to 1.5 of the spindle's. Empty where there are none.
     ///
-    /// `None` where teeth are counted one by one, which has no interval at other speeds, and of drives that are nobody's.
+    /// `None` where teeth are counted one by one, which has no interval at other speeds, of drives that are nobody's, and where a measured table
+    /// decides nothing.
     pub fn calm_speeds(&self) -> Option<Vec<[f64; 2]>> {
-        if self.drives_are_assumed {
+        if self.drives_are_assumed || self.is_vague() {
             return None;
         }
         let nearby = NEARBY[0] - ROUNDED..=NEARBY[1] + ROUNDED;

@@ -156,6 +156,25 @@ impl Samples {
         is_coarse.then(|| ([self.own[worst] / TAU, self.own[worst + 1] / TAU], step(worst)))
     }
 
+    /// A pair of axes that answer to each other by more than their own answers allow, by so many times: no tip that gives no energy does. `None` where
+    /// an axis has no answer of its own.
+    ///
+    /// `-Im G` of such a tip has no negative eigenvalue, so `(Im G_xy)^2 <= Im G_xx Im G_yy`. Looked at where `Im G_xy` is largest.
+    pub fn crosses_too_much(&self) -> Option<([usize; 2], f64)> {
+        /// What another hammer or a misaligned sensor may do.
+        const AMISS: f64 = 2.0;
+        let of_pair = |[a, b]: [usize; 2]| {
+            let crossed =
+                |row: usize| f64::midpoint(self.receptance[row][(a, b)].im, self.receptance[row][(b, a)].im).abs();
+            let row = (0..self.own.len()).max_by(|i, j| crossed(*i).total_cmp(&crossed(*j)))?;
+            let own = [a, b].map(|axis| self.receptance[row][(axis, axis)].im.abs());
+            let has_own = [a, b].iter().all(|axis| 0.0 < self.largest(*axis));
+            let times = crossed(row) / (own[0] * own[1]).sqrt();
+            (has_own && AMISS < times).then_some(([a, b], times))
+        };
+        [[0, 1], [0, 2], [1, 2]].into_iter().filter_map(of_pair).max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// The largest answer of a driving point along an axis of the tool, m/N.
     pub fn largest(&self, axis: usize) -> f64 {
         (0..self.own.len()).map(|row| self.size(row, axis)).fold(0.0, f64::max)

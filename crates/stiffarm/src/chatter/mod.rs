@@ -40,9 +40,6 @@ const CHART: std::ops::RangeInclusive<usize> = 10..=200;
 /// Tooth by tooth every fifth of them.
 const EACH_BY_TOOTH: usize = 5;
 
-/// Of a slow cut that is counted tooth by tooth because that is asked.
-const MOST_STEPS: usize = 240;
-
 /// How teeth are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
@@ -129,10 +126,7 @@ impl Chatter {
     /// teeth pass, nor by a mean over a revolution that may mislead.
     pub fn verdict(&self) -> Verdict {
         let depth = self.cut.milling.engagement.depth();
-        let is_vague = self.ends_below_teeth()
-            || self.may_mislead()
-            || self.measured.as_ref().is_some_and(|measured| measured.is_coarse);
-        if self.drives_are_assumed || is_vague {
+        if self.drives_are_assumed || self.is_vague() {
             return Verdict::NotDecided;
         }
         match (self.spread, self.at_speed) {
@@ -140,6 +134,13 @@ impl Chatter {
             (DepthSpread { p95: Some(p95), .. }, Some(edge)) if p95 < depth => Verdict::Limits(edge.depth),
             _ => Verdict::NotDecided,
         }
+    }
+
+    /// What was measured decides nothing of this cut.
+    pub fn is_vague(&self) -> bool {
+        self.ends_below_teeth()
+            || self.may_mislead()
+            || self.measured.as_ref().is_some_and(|measured| measured.is_coarse)
     }
 
     /// A table that was measured ends below the frequency at which teeth pass.
@@ -259,18 +260,14 @@ pub fn by_mean(robot: &Robot, q: &[f64; 6], tool: &HeldTool, cut: &Cut, asked: &
     let (swing, tool) = swinging(robot, q, tool, asked, nominal_modes)?;
     let tip = Tip::of(swing.as_ref(), &tool, asked.feed, asked.measured)?;
     let edge = tip.curve(&tip.motion, cut).edge_at(cut.period_at(cut.spindle));
-    let misleads =
-        if tip.is_sampled() { cut.is_short() } else { steps(&Teeth::of(&tip.motion, cut), cut, None).is_some() };
+    let misleads = if tip.is_sampled() { cut.is_short() } else { Teeth::of(&tip.motion, cut).are_needed() };
     Ok(ByMean { edge, misleads })
 }
 
 /// Steps of a cut tooth by tooth; `None` by the mean.
 fn steps(teeth: &Teeth, cut: &Cut, method: Option<Method>) -> Option<usize> {
-    match method {
-        Some(Method::Mean) => None,
-        Some(Method::Teeth) => Some(teeth.steps(cut.spindle).unwrap_or(MOST_STEPS)),
-        None => teeth.steps(cut.spindle).filter(|_| teeth.are_needed()),
-    }
+    let one_by_one = method.map_or_else(|| teeth.are_needed(), |method| method == Method::Teeth);
+    one_by_one.then(|| teeth.steps(cut.spindle))
 }
 
 fn lobes(curve: &Curve, drawn: &[Curve], cut: &Cut) -> Vec<Lobe> {
@@ -284,10 +281,10 @@ fn lobes(curve: &Curve, drawn: &[Curve], cut: &Cut) -> Vec<Lobe> {
 
 fn lobes_by_tooth(teeth: &Teeth, cut: &Cut, from: f64) -> Vec<Lobe> {
     let speeds: Vec<f64> = CHART.step_by(EACH_BY_TOOTH).map(|share| cut.spindle * share as f64 / 100.0).collect();
-    let lobe = |spindle: &f64| {
-        // Where a slow tooth would take too many steps the chart has no speed.
-        let steps = teeth.steps(*spindle)?;
-        Some(Lobe { spindle: *spindle, edge: teeth.edge_at(*spindle, steps, from), spread: None })
+    let lobe = |spindle: &f64| Lobe {
+        spindle: *spindle,
+        edge: teeth.edge_at(*spindle, teeth.steps(*spindle), from),
+        spread: None,
     };
-    parallel::each(&speeds, lobe).into_iter().flatten().collect()
+    parallel::each(&speeds, lobe)
 }

@@ -1,5 +1,7 @@
 //! Reads a table (CSV) of how a tip answered where it was tapped: frequency by frequency, or its modes; checks every cell.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::measured::{HeldBy, MeasuredMode, Response, Samples};
@@ -14,6 +16,8 @@ const MOST_MODES: usize = 50;
 const NOISY: f64 = 0.1;
 /// A shorter vector is no direction.
 const SHORTEST: f64 = 1e-6;
+/// kg: no robot swings with more.
+const MOST_MASS: f64 = 20_000.0;
 /// A direction whose length is further from one may be a shape with a scale of its own.
 const OFF_ONE: f64 = 0.1;
 /// The answer at one place to a force at another is that the other way round: a larger difference, in parts of the largest answer, is no noise.
@@ -147,6 +151,14 @@ impl<'a> Reader<'a> {
                 let message = format!("{x:?}, {y:?}, {z:?}; expected the direction in which the tip moves, of length one or so");
                 return Err(fault(line, "ux", message));
             }
+            let mass = mode.stiffness / (TAU * mode.frequency).powi(2);
+            if MOST_MASS < mass {
+                let message = format!(
+                    "{} Hz with {:e} N/m is a mass of {mass:.0} kg that swings; expected at most {MOST_MASS} kg: is the frequency in Hz, and the stiffness in N/m?",
+                    mode.frequency, mode.stiffness
+                );
+                return Err(fault(line, "freq_hz", message));
+            }
             if OFF_ONE < (length - 1.0).abs() {
                 scaled = scaled.or(Some((line, length)));
             }
@@ -269,6 +281,14 @@ fn check(samples: &Samples) -> Result<(), Fault> {
             "at {negative} of {count} frequencies the damping is negative; expected displacement over force, which lags, and neither velocity nor acceleration"
         );
         return Err(fault(1, "", message));
+    }
+    if let Some(([a, b], times)) = samples.crosses_too_much() {
+        let name = format!("g{}{}_im", AXES[a], AXES[b]);
+        let message = format!(
+            "{times:.1} times what g{0}{0} and g{1}{1} allow at its peak: a tip that gives energy; expected every column in the same unit, m/N",
+            AXES[a], AXES[b]
+        );
+        return Err(fault(1, &name, message));
     }
     if let Some(axis) = samples.begins_late() {
         let message = "not more than 0 in the first row: the table begins above a resonance; expected it to begin below the first one";

@@ -18,7 +18,8 @@ const PER_PERIOD: f64 = 30.0;
 const PER_PERIOD_OF_ANY: f64 = 12.0;
 /// Steps over a cut.
 const FEWEST: usize = 16;
-const MOST: usize = 120;
+/// Where more would be needed, the depth is good to some per cent: modes that are followed coarsely rest from tooth to tooth.
+const MOST: usize = 240;
 /// A mode counts that gives this share of the compliance across the tool, or more. Others may decide where teeth pass far above all that count.
 const COUNTS: f64 = 0.01;
 /// Where teeth pass so many times as fast as the fastest mode that counts, they press.
@@ -138,11 +139,10 @@ impl<'a> Teeth<'a> {
         self.cut.is_short() && passing < FAST * self.counts
     }
 
-    /// How many steps a cut needs at a speed of the spindle, rad/s; `None` where they are too many to be taken.
-    pub fn steps(&self, spindle: f64) -> Option<usize> {
-        let of = |mode: f64, per_period: f64| steps_of(self.cut, spindle, mode, per_period);
-        let (counting, any) = (of(self.counts, PER_PERIOD), of(self.fastest(), PER_PERIOD_OF_ANY));
-        (counting <= MOST as f64).then(|| (counting.max(any) as usize).clamp(FEWEST, MOST))
+    /// In how many steps a cut is followed at a speed of the spindle, rad/s.
+    pub fn steps(&self, spindle: f64) -> usize {
+        let of = |mode: f64, per_period: f64| steps_of(self.cut, spindle, mode, per_period) as usize;
+        of(self.counts, PER_PERIOD).max(of(self.fastest(), PER_PERIOD_OF_ANY)).clamp(FEWEST, MOST)
     }
 
     fn passage(&self, spindle: f64, steps: usize) -> Passage {

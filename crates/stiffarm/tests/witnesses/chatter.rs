@@ -125,7 +125,11 @@ type State = [f64; 2 * MOST];
 /// The delayed equation in time, Runge and Kutta over whole steps with the past from a table: by how much the largest displacement has grown from
 /// one third of the time to the next, of a cut after a blow. Nothing here is of the library but the numbers of the modes.
 fn growth_in_time(motion: &Motion, milling: &Milling, rpm: f64, depth: f64) -> f64 {
-    const STEPS: usize = 200;
+    growth_in_steps::<200>(motion, milling, rpm, depth)
+}
+
+/// The same in so many steps a tooth.
+fn growth_in_steps<const STEPS: usize>(motion: &Motion, milling: &Milling, rpm: f64, depth: f64) -> f64 {
     const TEETH: usize = 180;
     let [kt, kr, ka] = match milling.edge {
         Edge::Linear { chip, .. } => chip,
@@ -198,7 +202,7 @@ fn a_cut_above_its_edge_grows_in_time_and_one_below_it_dies() {
         let mean = curve.edge_at(cut.period_at(cut.spindle)).unwrap();
         let teeth = Teeth::of(&motion, &cut);
         assert!(teeth.are_needed());
-        let teeth = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle).unwrap(), mean.depth / 2.0).unwrap();
+        let teeth = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle), mean.depth / 2.0).unwrap();
         let grown = [0.97, 1.03].map(|share| growth_in_time(&motion, &milling, rpm, share * teeth.depth));
         assert!(grown[0] < 1.0 && 1.0 < grown[1], "{rpm} rpm, {teeth:?}: {grown:?}");
         if rpm < 20_000.0 {
@@ -232,7 +236,7 @@ fn modes_that_give_little_of_the_compliance_decide_where_teeth_pass_fast() {
     let milling = mill(2, 0.05, [entry, PI], [1800e6, 900e6, 0.0]);
     let cut = cut(&milling, 4000.0);
     let teeth = Teeth::of(&motion, &cut);
-    let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle).unwrap(), 1e-4).unwrap();
+    let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle), 1e-4).unwrap();
     let grown = [0.85, 1.1].map(|share| growth_in_time(&motion, &milling, 4000.0, share * edge.depth));
     assert!(grown[0] < 1.0 && 1.0 < grown[1], "{edge:?}: {grown:?}");
 }
@@ -249,7 +253,7 @@ fn tooth_by_tooth_a_short_cut_of_an_arm_grows_above_its_edge_and_dies_below() {
         let cut = cut(&milling, rpm);
         let teeth = Teeth::of(&motion, &cut);
         assert!(teeth.are_needed());
-        let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle).unwrap(), 1e-5).unwrap();
+        let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle), 1e-5).unwrap();
         let grown = [0.97, 1.03].map(|share| growth_in_time(&motion, &milling, rpm, share * edge.depth));
         assert!(grown[0] < 1.0 && 1.0 < grown[1], "{rpm} rpm, {edge:?}: {grown:?}");
         let mean = Curve::of(&motion, &milling.mean_directional()).edge_at(cut.period_at(cut.spindle)).unwrap();
@@ -263,6 +267,33 @@ fn tooth_by_tooth_a_short_cut_of_an_arm_grows_above_its_edge_and_dies_below() {
     let edge = teeth.edge_at(fast.spindle, 60, 1e-4).unwrap();
     let mean = Curve::of(&motion, &milling.mean_directional()).edge_at(fast.period_at(fast.spindle)).unwrap();
     assert!((edge.depth / mean.depth - 1.0).abs() < 0.03, "{edge:?} {mean:?}");
+}
+
+/// A slow cut of an arm with a spindle: more steps than are taken would be needed to follow the spindle's mode, the mean over a revolution allows
+/// 1.7 times the depth at 500 rpm, and the tooth knows.
+#[test]
+fn a_slow_cut_is_counted_tooth_by_tooth_where_a_fast_mode_is_followed_coarsely() {
+    let mode = |hertz: f64, k: f64, [x, y]: [f64; 2]| {
+        let own = TAU * hertz;
+        (own, 0.03, [x, y, 0.0].map(|part| part * own / k.sqrt()))
+    };
+    let motion = Motion::uncoupled(&[
+        mode(12.0, 1.2e6, [0.6, 0.8]),
+        mode(21.0, 3.0e6, [0.8, -0.6]),
+        mode(640.0, 1.5e7, [0.0, 1.0]),
+        mode(980.0, 2.4e7, [1.0, 0.0]),
+    ]);
+    let milling = mill(4, 0.016, [PI - 0.7, PI], [796e6, 169e6, 222e6]);
+    let mut apart = 0.0_f64;
+    for rpm in [170.0, 330.0, 500.0] {
+        let cut = cut(&milling, rpm);
+        let (teeth, curve) = (Teeth::of(&motion, &cut), Curve::of(&motion, &milling.mean_directional()));
+        let edge = teeth.edge_at(cut.spindle, teeth.steps(cut.spindle), 1e-5).unwrap();
+        let grown = [0.94, 1.06].map(|share| growth_in_steps::<800>(&motion, &milling, rpm, share * edge.depth));
+        assert!(teeth.are_needed() && grown[0] < 1.0 && 1.0 < grown[1], "{rpm} rpm, {edge:?}: {grown:?}");
+        apart = apart.max((curve.edge_at(cut.period_at(cut.spindle)).unwrap().depth / edge.depth).ln().abs());
+    }
+    assert!(0.5 < apart, "{apart}");
 }
 
 /// That an edge is one and the first, by the determinant of the 2 x 2 of the loop gain `G A0` and not by its eigenvalues: there it is 0; at

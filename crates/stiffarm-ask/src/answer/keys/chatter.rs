@@ -17,7 +17,7 @@ fields! {
     ANY_SPEED_FREQUENCY: "any_speed_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
     OTHER_WAY_DEPTH: "other_way_depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at the speed of the spindle where the cut is fed the other way, up for down; null where none up to 300 mm does.";
     OTHER_WAY_FREQUENCY: "other_way_hz", Kind::Number(Unit::Given("hz")), "The frequency of the swing at that depth.";
-    CALM_SPEEDS: "calm_rpm", Kind::List(&Kind::List(&Kind::Number(Unit::Given("rpm")))), "Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's.";
+    CALM_SPEEDS: "calm_rpm", Kind::List(&Kind::List(&Kind::Number(Unit::Given("rpm")))), "Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and where a measured table decides nothing.";
     PAN_DEPTH: "pan_depth_mm", Kind::Number(Unit::Millimetre), "The least depth at which modes couple without the delay (Pan); beside the others, never instead of them.";
     PAN_FREQUENCY: "pan_hz", Kind::Number(Unit::Given("hz")), "Its frequency; 0 where the arm gives way.";
     MODES_LOOKED_AT: "modes_looked_at", Kind::List(&Kind::Number(Unit::Described)), "Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured. Nothing is known above the last of these and of what was measured.";

@@ -116,7 +116,8 @@ class Chatter(Table[types.ChatterDict]):
 
     calm_rpm: list[list[float]] | None
     """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
-    allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's."""
+    allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and
+    where a measured table decides nothing."""
 
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
