@@ -7,7 +7,8 @@
 //!
 //! `sum w |p - B F t|^2 + sum w h^2 |log(R_T' R_F' R_B' R)|^2 + sum lambda x^2`
 //!
-//! with the lever `h` that makes a turn a length.
+//! with the lever `h` that makes a turn a length. Points of one posture may err together, as the arm stands a little beside where it says:
+//! with the variance `c` of that in parts of the variance of a reading, the inverse of their covariance is `W - k W 1 1' W`, `k = c/(1 + c sum w)`.
 
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
 
@@ -44,6 +45,8 @@ pub(crate) struct Problem<'a> {
     pub tool: Option<Pose>,
     /// Of each parameter, in parts of the squared residual; infinite holds it at zero.
     pub precision: Vec<f64>,
+    /// The variance that all points of a posture share, in parts of that of a reading.
+    pub common: f64,
     pub chain: &'a (dyn Fn(&[f64], &[f64; 6]) -> Chain + Sync),
 }
 
@@ -69,6 +72,33 @@ impl Linear {
     /// Which points were seen, each with where its three residuals begin.
     pub(crate) fn points(&self) -> impl Iterator<Item = (usize, usize)> {
         self.of.iter().enumerate().filter_map(|(block, point)| Some((3 * block, (*point)?)))
+    }
+
+    /// The sum of the weights of the points.
+    pub(crate) fn point_weight(&self) -> f64 {
+        self.points().map(|(at, _)| self.weight[at]).sum()
+    }
+
+    /// What the inverse covariance has less where points share so much variance: `k`.
+    pub(crate) fn shared(&self, common: f64) -> f64 {
+        common / (1.0 + common * self.point_weight())
+    }
+
+    /// The weighted sum of three coordinates over the points: of residuals, or of what moves them.
+    pub(crate) fn summed(&self, of: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut sum = DMatrix::zeros(3, of.ncols());
+        self.points().for_each(|(at, _)| sum += of.rows(at, 3) * self.weight[at]);
+        sum
+    }
+
+    /// The squared residuals in parts of their covariance.
+    pub(crate) fn squares(&self, common: f64) -> f64 {
+        let alone = self.residual.component_mul(&self.residual).dot(&self.weight);
+        if common == 0.0 {
+            return alone;
+        }
+        let sum: Vector3<f64> = self.points().map(|(at, _)| self.residual.fixed_rows::<3>(at) * self.weight[at]).sum();
+        alone - self.shared(common) * sum.norm_squared()
     }
 }
 
@@ -161,12 +191,12 @@ impl Problem<'_> {
 
     /// What is to be least.
     pub(crate) fn cost(&self, rows: &[Linear], state: &State) -> f64 {
-        let seen: f64 = rows.iter().map(|row| row.residual.component_mul(&row.residual).dot(&row.weight)).sum();
+        let seen: f64 = rows.iter().map(|row| row.squares(self.common)).sum();
         let prior = state.parameters.iter().zip(&self.precision).filter(|(_, precision)| precision.is_finite());
         seen + prior.map(|(x, precision)| precision * x * x).sum::<f64>()
     }
 
-    /// `H = J' W J + lambda` and `J' W r - lambda x`; what is held has 1 on the diagonal and nothing else.
+    /// `H = J' C^-1 J + lambda` and `J' C^-1 r - lambda x`; what is held has 1 on the diagonal and nothing else.
     pub(crate) fn normal<'r>(
         &self,
         rows: impl Iterator<Item = &'r Linear>,
@@ -174,7 +204,8 @@ impl Problem<'_> {
     ) -> (DMatrix<f64>, DVector<f64>) {
         let n = self.unknowns();
         let rows: Vec<&Linear> = rows.collect();
-        let sums = |_, some: &[&Linear]| some.chunks(TOGETHER).map(|some| summed(some, n)).collect::<Vec<_>>();
+        let sums =
+            |_, some: &[&Linear]| some.chunks(TOGETHER).map(|some| summed(some, n, self.common)).collect::<Vec<_>>();
         let parts = parallel::take_each(rows.chunks(AT_A_TIME), sums);
         // In the order of the rows, whoever has finished first.
         let nothing = (DMatrix::zeros(n, n), DVector::zeros(n));
@@ -293,8 +324,8 @@ pub(crate) fn stacked(rows: &[&Linear], n: usize) -> DMatrix<f64> {
     all
 }
 
-/// `J' W J` and `J' W r` of some rows with `n` unknowns: as one product of large matrices, which is many times faster than one a row.
-fn summed(rows: &[&Linear], n: usize) -> (DMatrix<f64>, DVector<f64>) {
+/// `J' C^-1 J` and `J' C^-1 r` of some rows with `n` unknowns: as one product of large matrices, which is many times faster than one a row.
+fn summed(rows: &[&Linear], n: usize, common: f64) -> (DMatrix<f64>, DVector<f64>) {
     let mut jacobian = stacked(rows, n);
     let all = |of: fn(&Linear) -> &DVector<f64>| {
         DVector::from_iterator(jacobian.nrows(), rows.iter().flat_map(|row| of(row).iter().copied()))
@@ -302,6 +333,15 @@ fn summed(rows: &[&Linear], n: usize) -> (DMatrix<f64>, DVector<f64>) {
     let (residual, weight) = (all(|row| &row.residual), all(|row| &row.weight));
     let moved = jacobian.transpose();
     jacobian.column_iter_mut().for_each(|mut column| column.component_mul_assign(&weight));
+    let mut first = 0;
+    for row in rows.iter().filter(|_| 0.0 < common) {
+        let together = row.summed(&row.jacobian) * row.shared(common);
+        for (at, _) in row.points() {
+            let mut of_point = jacobian.rows_mut(first + at, 3);
+            of_point -= &together * row.weight[at];
+        }
+        first += row.residual.len();
+    }
     (&moved * &jacobian, jacobian.tr_mul(&residual))
 }
 

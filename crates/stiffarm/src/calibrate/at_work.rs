@@ -3,7 +3,8 @@
 
 use nalgebra::{DVector, Vector3};
 
-use super::fit::{Fitted, Rows};
+use super::fit::{Fitted, Given, Rows};
+use super::left_out::LeftOut;
 use super::{CalibrateError, Work};
 use crate::chain::{ALL, FRAMES};
 use crate::limits::Limits;
@@ -59,7 +60,7 @@ fn postures(rows: &Rows, limits: &Limits, near: Option<Vector3<f64>>) -> Vec<[f6
 pub(super) fn at_work(
     rows: &Rows,
     fitted: &Fitted,
-    left_out: Option<f64>,
+    left_out: Option<&LeftOut>,
     (limits, work): (&Limits, &Work),
 ) -> Result<Option<AtWork>, CalibrateError> {
     let postures = match work {
@@ -70,10 +71,13 @@ pub(super) fn at_work(
     if postures.is_empty() {
         return Ok(None);
     }
-    let kept = fitted.unweighted_noise();
-    // A coordinate's part of the distance.
-    let noise = left_out.map_or(kept, |rms| (rms / 3_f64.sqrt()).max(kept));
-    let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, (&fitted.prior, noise));
+    let kept = fitted.given().coordinate();
+    // So many times as far are thirds off that are left out as noise and unknowns have it.
+    let noise = kept * left_out.map_or(1.0, |found| (found.rms / found.expected).max(1.0));
+    // Of a reading, where a point stands so far off.
+    let of_reading = 1.0 / (1.0 + fitted.common).sqrt();
+    let given = Given { noise: noise * of_reading, ..fitted.given() };
+    let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, given);
     let sights: Vec<Sight> = (postures.iter())
         .map(|q| Sight {
             q: *q,
@@ -92,6 +96,7 @@ pub(super) fn at_work(
         base: None,
         tool: None,
         precision,
+        common: 0.0,
         chain: &chain,
     };
     let linear = problem.linear(&fitted.state);
@@ -114,19 +119,20 @@ pub(super) fn at_work(
     for _ in 0..DRAWS {
         // Noise and scale are known by what is left over and by what the data show.
         let [of_noise, scale] = [fitted.spare, fitted.seen].map(|freedom| factor(freedom, normal()));
-        // Thirds that are left out err more than rows that were fitted: in part as the others show less of them, in part as no level explains
-        // what is there. How much of the second comes again in other postures nobody knows: nothing in every other draw, else any share.
+        // Where thirds that are left out err more than is expected, no level explains what is there. How much of that comes again in other
+        // postures nobody knows: nothing in every other draw, else any share.
         let again = (2.0 * shares.f64() - 1.0).max(0.0);
         let drawn = of_noise * (kept + again * (noise - kept));
         let mut h = h.clone();
         for i in (0..ALL).filter(|&i| fitted.prior[i] != 0.0) {
-            h[(first + i, first + i)] += precision(i, drawn, scale) - precision(i, noise, 1.0);
+            h[(first + i, first + i)] +=
+                precision(i, drawn * of_reading, scale) - precision(i, noise * of_reading, 1.0);
         }
         let root = h.cholesky().ok_or(CalibrateError::Undetermined)?;
         let z = DVector::from_fn(n, |_, _| normal());
         // cov = s^2 H^-1 = s^2 L^-T L^-1.
         let mut step = root.l_dirty().tr_solve_lower_triangular(&z).ok_or(CalibrateError::Undetermined)?;
-        step *= drawn;
+        step *= drawn * of_reading;
         for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
             step[first + i] = 0.0;
         }

@@ -21,6 +21,26 @@ pub(super) struct Rows<'a> {
     pub(super) points: usize,
     /// m: so far a radian of the orientation counts.
     pub(super) lever: f64,
+    /// Points of a posture may err together.
+    pub(super) together: bool,
+}
+
+/// What is known before rows are fitted.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'a> {
+    /// Standard deviation of each parameter; zero holds it.
+    pub(super) prior: &'a [f64],
+    /// Standard deviation of a coordinate of a reading, m.
+    pub(super) noise: f64,
+    /// The variance that all points of a posture share, in parts of that of a reading: the arm does not stand twice in one place.
+    pub(super) common: f64,
+}
+
+impl Given<'_> {
+    /// Standard deviation of a coordinate of a point, m.
+    pub(super) fn coordinate(self) -> f64 {
+        self.noise * (1.0 + self.common).sqrt()
+    }
 }
 
 /// A level as it was fitted.
@@ -29,8 +49,10 @@ pub(super) struct Fitted {
     pub(super) level: Option<Level>,
     pub(super) state: State,
     pub(super) rows: Vec<Linear>,
-    /// Standard deviation of a coordinate, m.
+    /// Standard deviation of a coordinate of a reading, m.
     pub(super) noise: f64,
+    /// The variance that all points of a posture share, in parts of that of a reading.
+    pub(super) common: f64,
     /// By how many coordinates more than what was fitted it is known.
     pub(super) spare: f64,
     /// By how many errors of frames, of those that the data show, the scale of their prior is known.
@@ -46,26 +68,16 @@ pub(super) struct Fitted {
 }
 
 impl Fitted {
-    /// Standard deviation of a coordinate of the points where every one counts alike, those far off, too, m.
-    pub(super) fn unweighted_noise(&self) -> f64 {
-        let (mut squares, mut count, mut all) = (0.0, 0_usize, 0);
-        for row in &self.rows {
-            for (at, _) in row.points() {
-                squares += row.residual.rows(at, 3).norm_squared();
-                count += 3;
-            }
-            all += row.residual.len();
-        }
-        // Of what is left over each residual has the same part.
-        let spare = self.spare * count as f64 / all as f64;
-        (squares / spare).sqrt().max(self.noise)
+    /// What the rows were fitted with.
+    pub(super) fn given(&self) -> Given<'_> {
+        Given { prior: &self.prior, noise: self.noise, common: self.common }
     }
 }
 
 impl Rows<'_> {
     fn problem<'p>(
         &'p self,
-        precision: Vec<f64>,
+        (precision, common): (Vec<f64>, f64),
         chain: &'p (dyn Fn(&[f64], &[f64; 6]) -> Chain + Sync),
     ) -> Problem<'p> {
         Problem {
@@ -76,20 +88,21 @@ impl Rows<'_> {
             base: None,
             tool: None,
             precision,
+            common,
             chain,
         }
     }
 
-    /// With the priors and the noise given, from a state.
-    pub(super) fn solved(&self, state: State, prior: &[f64], noise: f64) -> (State, Vec<Linear>) {
+    /// From a state.
+    pub(super) fn solved(&self, state: State, given: Given) -> (State, Vec<Linear>) {
         let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
-        self.problem(precision(prior, noise), &chain).solved(state)
+        self.problem(given.scaled(), &chain).solved(state)
     }
 
     /// A state to start from, as drawn, by rows of which none need be right.
     pub(super) fn start(&self) -> State {
         let chain = |_: &[f64], q: &[f64; 6]| Chain { flange: self.arm.drawn(q), twists: Vec::new() };
-        let problem = self.problem(Vec::new(), &chain);
+        let problem = self.problem((Vec::new(), 0.0), &chain);
         let (state, _) = problem.solved(problem.start(Vec::new(), nalgebra::Vector3::zeros()));
         State { parameters: vec![0.0; ALL], ..state }
     }
@@ -97,13 +110,13 @@ impl Rows<'_> {
     /// How far each row is off as drawn, about a state.
     pub(super) fn drawn(&self, state: &State) -> Vec<Linear> {
         let chain = |_: &[f64], q: &[f64; 6]| Chain { flange: self.arm.drawn(q), twists: Vec::new() };
-        self.problem(Vec::new(), &chain).linear(&State { parameters: Vec::new(), ..state.clone() })
+        self.problem((Vec::new(), 0.0), &chain).linear(&State { parameters: Vec::new(), ..state.clone() })
     }
 
     /// The rows about a state.
     pub(super) fn linear(&self, state: &State) -> Vec<Linear> {
         let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
-        self.problem(vec![f64::INFINITY; ALL], &chain).linear(state)
+        self.problem((vec![f64::INFINITY; ALL], 0.0), &chain).linear(state)
     }
 
     /// `H` and `g` of some of the rows, in parts of the noise.
@@ -111,10 +124,10 @@ impl Rows<'_> {
         &self,
         rows: impl Iterator<Item = &'r Linear>,
         state: &State,
-        (prior, noise): (&[f64], f64),
+        given: Given,
     ) -> (DMatrix<f64>, DVector<f64>) {
         let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
-        self.problem(precision(prior, noise), &chain).normal(rows, state)
+        self.problem(given.scaled(), &chain).normal(rows, state)
     }
 
     /// How many coordinates more there are than what was fitted, where so many parameters are shown.
@@ -124,50 +137,61 @@ impl Rows<'_> {
         (coordinates(rows) as f64 - flat as f64 - shown).max(1.0)
     }
 
-    /// The same in parts of all coordinates, about a state.
-    pub(super) fn spare_share(&self, rows: &[Linear], state: &State, given: (&[f64], f64)) -> Option<f64> {
+    /// What of the variance of the points is left over by the fit, about a state.
+    pub(super) fn left(&self, rows: &[Linear], state: &State, given: Given) -> Option<f64> {
         let (h, _) = self.normal(rows.iter(), state, given);
-        let shown: f64 = shares(&h.cholesky()?.inverse(), given.0, given.1).iter().sum();
-        Some(self.spare(rows, shown) / coordinates(rows) as f64)
+        let covariance = h.cholesky()?.inverse();
+        let (mut taken, mut count) = (0.0, 0_usize);
+        for (row, (at, _)) in rows.iter().flat_map(|row| row.points().map(move |point| (row, point))) {
+            let moved = row.jacobian.rows(at, 3);
+            taken += (moved * &covariance).dot(&moved);
+            count += 3;
+        }
+        Some((1.0 - taken / (count as f64 * (1.0 + given.common))).max(1.0 / count as f64))
     }
 
-    /// The posterior of a level, from a state near it; scale and noise by the fixed point of their evidence.
+    /// The posterior of a level, from a state near it; scale, noise and what points of a posture share by the fixed point of their evidence.
     pub(super) fn fitted(&self, level: Option<Level>, start: &State, noise: f64) -> Option<Fitted> {
-        const ROUNDS: usize = 12;
-        /// Of scale and noise, relative: below it nothing that is reported changes.
+        const ROUNDS: usize = 40;
+        /// Of scale, noise and shared variance, relative: below it nothing that is reported changes.
         const SETTLED: f64 = 1e-3;
         let (mut scale, mut noise) = (0.5e-3, noise.max(LEAST_NOISE));
+        let mut common = if self.together { 1.0 } else { 0.0 };
         let mut state = State { parameters: vec![0.0; ALL], ..start.clone() };
         let prior_of =
             |scale: f64| level.map_or_else(|| vec![0.0; ALL], |level| level.prior(scale, self.drives.as_ref()));
         let mut round = 0;
         loop {
             let prior = prior_of(scale);
-            let (next, rows) = self.solved(state, &prior, noise);
+            let given = Given { prior: &prior, noise, common };
+            let (next, rows) = self.solved(state, given);
             state = next;
-            let (h, _) = self.normal(rows.iter(), &state, (&prior, noise));
+            let (h, _) = self.normal(rows.iter(), &state, given);
             let inverse = h.clone().cholesky()?.inverse();
-            let share = shares(&inverse, &prior, noise);
+            let share = shares(&inverse, given);
             let shown: f64 = share.iter().sum();
-            let squares: f64 = rows.iter().map(|row| row.residual.component_mul(&row.residual).dot(&row.weight)).sum();
+            let squares: f64 = rows.iter().map(|row| row.squares(common)).sum();
             let spare = self.spare(&rows, shown);
             let next_noise = (squares / spare).sqrt().max(LEAST_NOISE);
             let frames: f64 = state.parameters[..FRAMES].iter().map(|x| x * x).sum();
             let seen: f64 = share[..FRAMES].iter().sum();
             let next_scale = if seen < 1e-3 { scale } else { (frames / seen).sqrt().clamp(SCALES[0], SCALES[1]) };
+            let next_common = shared(&rows, &inverse, given);
             round += 1;
-            let is_settled = (next_noise / noise - 1.0).abs() < SETTLED && (next_scale / scale - 1.0).abs() < SETTLED;
+            let is_settled = (next_noise / noise - 1.0).abs() < SETTLED
+                && (next_scale / scale - 1.0).abs() < SETTLED
+                && (next_common - common).abs() < SETTLED * (1.0 + common);
             if is_settled || round == ROUNDS {
-                let evidence = evidence(&h, (&state, &prior, noise), (squares, &rows));
-                return Some(Fitted { level, state, rows, noise, spare, seen, prior, evidence, shown, share });
+                let evidence = evidence(&h, (&state, given), (squares, &rows));
+                return Some(Fitted { level, state, rows, noise, common, spare, seen, prior, evidence, shown, share });
             }
-            (noise, scale) = (next_noise, next_scale);
+            (noise, scale, common) = (next_noise, next_scale, next_common);
         }
     }
 }
 
 /// What the data show of each parameter, by the inverse of `H`: one less posterior over prior.
-fn shares(inverse: &DMatrix<f64>, prior: &[f64], noise: f64) -> Vec<f64> {
+fn shares(inverse: &DMatrix<f64>, Given { prior, noise, .. }: Given) -> Vec<f64> {
     let first = inverse.nrows() - ALL;
     let share = |(i, tau): (usize, &f64)| {
         if 0.0 < *tau { 1.0 - (noise / tau).powi(2) * inverse[(first + i, first + i)] } else { 0.0 }
@@ -175,19 +199,45 @@ fn shares(inverse: &DMatrix<f64>, prior: &[f64], noise: f64) -> Vec<f64> {
     prior.iter().enumerate().map(share).collect()
 }
 
+/// The next round's variance that points of a posture share, in parts of that of a reading: of how far each posture stands beside where it
+/// should, the squares over how many of these coordinates the data show.
+fn shared(rows: &[Linear], inverse: &DMatrix<f64>, Given { noise, common, .. }: Given) -> f64 {
+    /// More tells readings apart from nothing.
+    const MOST: f64 = 1e6;
+    if common == 0.0 {
+        return 0.0;
+    }
+    let (mut squares, mut shown) = (0.0, 0.0);
+    for row in rows {
+        let k = row.shared(common);
+        let residual = DMatrix::from_column_slice(row.residual.len(), 1, row.residual.as_slice());
+        let moved = row.summed(&row.jacobian) * k;
+        squares += (row.summed(&residual) * (k / noise)).norm_squared();
+        let unsure = 3.0 * common / (1.0 + common * row.point_weight()) + (&moved * inverse).dot(&moved);
+        shown += 3.0 - unsure / common;
+    }
+    (squares / shown.max(f64::MIN_POSITIVE)).min(MOST)
+}
+
 fn coordinates(rows: &[Linear]) -> usize {
     rows.iter().map(|row| row.residual.len()).sum()
 }
 
-/// `sigma^2 / tau^2`; infinite where a parameter is held.
-fn precision(prior: &[f64], noise: f64) -> Vec<f64> {
-    prior.iter().map(|tau| if *tau == 0.0 { f64::INFINITY } else { (noise / tau).powi(2) }).collect()
+impl Given<'_> {
+    /// `sigma^2 / tau^2` of each parameter, infinite where it is held, beside what points share.
+    fn scaled(self) -> (Vec<f64>, f64) {
+        let precision = |tau: &f64| if *tau == 0.0 { f64::INFINITY } else { (self.noise / tau).powi(2) };
+        (self.prior.iter().map(precision).collect(), self.common)
+    }
 }
 
-/// `-1/2 [ sum w r^2 / s^2 + sum x^2 / tau^2 + N ln s^2 + sum ln tau^2 + ln det (H / s^2) - sum ln w ]` (Laplace), what is held left out.
-fn evidence(h: &DMatrix<f64>, (state, prior, noise): (&State, &[f64], f64), (squares, rows): (f64, &[Linear])) -> f64 {
-    let count = coordinates(rows);
-    let weights: f64 = rows.iter().flat_map(|row| row.weight.iter()).map(|weight| weight.ln()).sum();
+/// `-1/2 [ r' C^-1 r / s^2 + sum x^2 / tau^2 + N ln s^2 + ln det C + sum ln tau^2 + ln det (H / s^2) ]` (Laplace), what is held left out.
+fn evidence(h: &DMatrix<f64>, (state, given): (&State, Given), (squares, rows): (f64, &[Linear])) -> f64 {
+    let (count, Given { prior, noise, common }) = (coordinates(rows), given);
+    let of_row = |row: &Linear| {
+        3.0 * (common * row.point_weight()).ln_1p() - row.weight.iter().map(|weight| weight.ln()).sum::<f64>()
+    };
+    let covariance: f64 = rows.iter().map(of_row).sum();
     let known = prior.iter().zip(&state.parameters).filter(|(tau, _)| 0.0 < **tau);
     let (of_prior, scales) =
         known.fold((0.0, 0.0), |(sum, logs), (tau, x)| (sum + (x / tau).powi(2), logs + 2.0 * tau.ln()));
@@ -196,7 +246,7 @@ fn evidence(h: &DMatrix<f64>, (state, prior, noise): (&State, &[f64], f64), (squ
     let held = |i: usize| if first <= i { prior[i - first] == 0.0 } else { first - 3 <= i && !is_oriented };
     let Some(root) = h.clone().cholesky() else { return f64::NEG_INFINITY };
     let log_det: f64 = (0..h.nrows()).filter(|&i| !held(i)).map(|i| 2.0 * (root.l_dirty()[(i, i)] / noise).ln()).sum();
-    -0.5 * (squares / (noise * noise) + of_prior + 2.0 * count as f64 * noise.ln() + scales + log_det - weights)
+    -0.5 * (squares / (noise * noise) + of_prior + 2.0 * count as f64 * noise.ln() + scales + log_det + covariance)
 }
 
 #[cfg(test)]
@@ -215,8 +265,8 @@ mod tests {
         let readings = read(table, "tracker.csv", &ReadOptions::default()).unwrap();
         let arm = Frames::of(&find("KR 210 R2700 extra").unwrap().robot()).unwrap();
         let sights = super::super::sights(&readings).unwrap();
-        let rows = Rows { arm: &arm, drives: None, sights, stands: 1, points: 3, lever: 0.3 };
-        let (state, linear) = rows.solved(rows.start(), &prior, noise[0]);
+        let rows = Rows { arm: &arm, drives: None, sights, stands: 1, points: 3, lever: 0.3, together: false };
+        let (state, linear) = rows.solved(rows.start(), Given { prior: &prior, noise: noise[0], common: 0.0 });
         let squares: f64 = linear.iter().map(|row| row.residual.norm_squared()).sum::<f64>() / noise[0].powi(2);
         let of_prior: f64 = state.parameters.iter().zip(&prior).map(|(x, tau)| (x / tau).powi(2)).sum();
         assert!(((squares + of_prior) / cost[0] - 1.0).abs() < 1e-10, "{squares} and {of_prior}, not {}", cost[0]);

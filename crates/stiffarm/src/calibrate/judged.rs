@@ -1,6 +1,6 @@
 //! Which rows are right, and which level has them? Each is judged by the other until both stay.
 
-use super::fit::{Fitted, Rows};
+use super::fit::{Fitted, Given, Rows};
 use super::level::Level;
 use super::robust::{self, Sound};
 use super::{CalibrateError, moved};
@@ -39,7 +39,9 @@ pub(super) struct Judged<'a> {
 impl<'a> Question<'a> {
     fn rows(&self, sights: &[Sight], lever: f64) -> Rows<'a> {
         let (stands, points) = self.shape;
-        Rows { arm: self.arm, drives: None, sights: sights.to_vec(), stands, points, lever }
+        // Of single points nothing tells what they share from what each errs by.
+        let together = sights.iter().any(|sight| 1 < sight.points.iter().flatten().count());
+        Rows { arm: self.arm, drives: None, sights: sights.to_vec(), stands, points, lever, together }
     }
 
     fn rows_by_masses(&self, sights: &[Sight], lever: f64) -> Option<Rows<'a>> {
@@ -49,14 +51,16 @@ impl<'a> Question<'a> {
     /// A first judgement, by the level that has the arm's weight: from a state as drawn and the median distance there, m.
     pub(super) fn sound(&self, start: State, off: f64) -> Result<Sound, CalibrateError> {
         let noise = robust::noise_of(off).max(1e-6);
-        let found = robust::sound(self.rows(self.sights, LEVER), &Level::Weight.prior(SCALE, None), (start, noise));
+        let given = Given { prior: &Level::Weight.prior(SCALE, None), noise, common: 0.0 };
+        let found = robust::sound(self.rows(self.sights, LEVER), given, start);
         found.ok_or(CalibrateError::Undetermined)
     }
 
     /// From which row on the instrument stands elsewhere, and how far, m. Of all rows: those before it or from it on may be too few
     /// to be right.
     pub(super) fn moved(&self, sound: &Sound) -> Result<Option<(usize, f64)>, CalibrateError> {
-        let every = self.rows(&sound.every, sound.lever);
+        // Where the instrument has moved, all points of a row are off together: that must not pass for the arm's own.
+        let every = Rows { together: false, ..self.rows(&sound.every, sound.lever) };
         let fitted =
             every.fitted(Some(Level::Weight), &sound.state, sound.noise).ok_or(CalibrateError::Undetermined)?;
         Ok(moved::moved(&every, &fitted))
@@ -92,8 +96,7 @@ impl<'a> Question<'a> {
             let (rows, fitted) = (found.rows(best), &found.fits[best]);
             let is_by_masses = rows.drives.is_some();
             let all = Rows { arm: rows.arm, drives: rows.drives, ..self.rows(self.sights, rows.lever) };
-            let again = robust::sound(all, &fitted.prior, (fitted.state.clone(), fitted.noise))
-                .ok_or(CalibrateError::Undetermined)?;
+            let again = robust::sound(all, fitted.given(), fitted.state.clone()).ok_or(CalibrateError::Undetermined)?;
             if again.wrong == found.sound.wrong && by == (fitted.level, is_by_masses) {
                 break;
             }

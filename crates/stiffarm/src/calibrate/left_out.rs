@@ -1,6 +1,6 @@
 //! What does a fit say of postures that it has not seen? A third of each joint's range is predicted by the rest of the rows.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::fit::{Fitted, Rows};
 use crate::registration::{Linear, Sight};
@@ -15,24 +15,36 @@ struct Third<'r> {
     rows: Vec<&'r Linear>,
     /// From the fit with all rows to that without them.
     step: DVector<f64>,
+    /// Of the unknowns by the other rows, in parts of the variance of a reading.
+    covariance: DMatrix<f64>,
 }
 
-/// Root mean square of the distances of what is left out, m; `None` where no third can be.
+/// Distances of what is left out.
+pub(super) struct LeftOut {
+    /// Root mean square, m.
+    pub(super) rms: f64,
+    /// The same as it is expected of noise, of what points of a posture share and of what the other rows do not show, m.
+    pub(super) expected: f64,
+}
+
+/// How far what is left out is off; `None` where no third can be.
 ///
 /// The fit without some rows is one step from the fit with all: `H' = H - J'WJ` of those rows. The step is exact but for the second order of
 /// errors of some mrad, which is some um.
-pub(super) fn left_out(rows: &Rows, fitted: &Fitted) -> Option<f64> {
-    let (mut squares, mut count) = (0.0, 0_usize);
-    for Third { rows, step } in thirds(rows, fitted) {
+pub(super) fn left_out(rows: &Rows, fitted: &Fitted) -> Option<LeftOut> {
+    let (mut squares, mut expected, mut count) = (0.0, 0.0, 0_usize);
+    for Third { rows, step, covariance } in thirds(rows, fitted) {
         for row in rows {
             for (at, _) in row.points() {
-                let off = row.residual.rows(at, 3) - row.jacobian.rows(at, 3) * &step;
-                squares += off.norm_squared();
+                let moved = row.jacobian.rows(at, 3);
+                squares += (row.residual.rows(at, 3) - moved * &step).norm_squared();
+                expected += 3.0 * (1.0 + fitted.common) + (moved * &covariance).dot(&moved);
                 count += 1;
             }
         }
     }
-    (0 < count).then(|| (squares / count as f64).sqrt())
+    let root_mean = |sum: f64| (sum / count as f64).sqrt();
+    (0 < count).then(|| LeftOut { rms: root_mean(squares), expected: fitted.noise * root_mean(expected) })
 }
 
 /// Thirds of each joint's range of which the others show the same stands and points.
@@ -58,8 +70,11 @@ fn without<'r>(rows: &Rows, fitted: &'r Fitted, is_out: impl Fn(usize) -> bool) 
     if out.is_empty() || rest.len() < LEAST_ROWS || !has_stands || !has_points {
         return None;
     }
-    let given = (fitted.prior.as_slice(), fitted.noise);
-    let (h, g) = rows.normal(rest.iter().map(|&i| &fitted.rows[i]), &fitted.state, given);
-    let step = h.cholesky()?.solve(&g);
-    Some(Third { rows: out.iter().map(|&i| &fitted.rows[i]).collect(), step })
+    let (h, g) = rows.normal(rest.iter().map(|&i| &fitted.rows[i]), &fitted.state, fitted.given());
+    let root = h.cholesky()?;
+    Some(Third {
+        rows: out.iter().map(|&i| &fitted.rows[i]).collect(),
+        step: root.solve(&g),
+        covariance: root.inverse(),
+    })
 }

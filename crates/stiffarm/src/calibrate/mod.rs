@@ -31,6 +31,7 @@ pub use at_work::AtWork;
 use drives::DrivesPrior;
 use fit::{Fitted, Rows};
 use judged::Question;
+use left_out::{LeftOut, left_out};
 pub use level::{GEARS_PRIOR, Level, WEIGHT_PRIOR};
 use robust::Sound;
 pub use robust::WrongRow;
@@ -157,6 +158,19 @@ pub enum CalibrateError {
     /// A point that nobody saw.
     #[error("point {0} was seen in no row; expected points that are numbered from 1")]
     Unseen(usize),
+    /// One of two points tells nothing.
+    #[error("points {0} and {1} are at the same place in every row; expected each point once")]
+    Twice(usize, usize),
+    /// Every row would have a frame of its own.
+    #[error(
+        "{stands} stands of the tracker for {rows} rows; expected two rows or more of each stand, and better twenty"
+    )]
+    TooManyStands {
+        /// How many.
+        stands: usize,
+        /// For how many rows.
+        rows: usize,
+    },
     /// The arm explains nothing.
     #[error("half of the points are {median_mm:.1} mm or more off{}", because(suspect.as_deref()))]
     NotThisArm {
@@ -254,9 +268,9 @@ pub fn calibrate(
     let judged = question.judged(sound, &is_too_much)?;
     let taken = judged.best(options.level).ok_or(CalibrateError::Undetermined)?;
     let (rows, best) = (judged.rows(taken), &judged.fits[taken]);
-    let out: Vec<Option<f64>> =
-        judged.fits.iter().enumerate().map(|(i, fitted)| left_out::left_out(judged.rows(i), fitted)).collect();
-    let at_work = at_work::at_work(rows, best, out[taken], (limits, &options.work))?;
+    let out: Vec<Option<LeftOut>> =
+        judged.fits.iter().enumerate().map(|(i, fitted)| left_out(judged.rows(i), fitted)).collect();
+    let at_work = at_work::at_work(rows, best, out[taken].as_ref(), (limits, &options.work))?;
     let deviation: Vec<f64> = (0..chain::ALL).map(|i| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt()).collect();
     let drives = weighed
         .as_ref()
@@ -270,7 +284,7 @@ pub fn calibrate(
     let compliance = drives.map(|drives| drives.map(|drive| drive.posterior));
     Ok(Calibrated {
         level: best.level.ok_or(CalibrateError::Undetermined)?,
-        levels: (0..out.len()).map(|i| level_fit(judged.rows(i), &judged.fits[i], out[i])).collect(),
+        levels: (0..out.len()).map(|i| level_fit(judged.rows(i), &judged.fits[i], out[i].as_ref())).collect(),
         errors: Errors { drives: compliance, ..errors_of(&best.state.parameters) },
         drives,
         has_masses: question.weighed.is_some(),
@@ -297,6 +311,14 @@ fn sights(readings: &Readings) -> Result<Vec<Sight>, CalibrateError> {
     if let Some(j) = (0..readings.points).find(|&j| rows.iter().all(|row| row.points[j].is_none())) {
         return Err(CalibrateError::Unseen(j + 1));
     }
+    let pairs = (0..readings.points).flat_map(|j| (0..j).map(move |i| (i, j)));
+    if let Some((i, j)) = pairs.into_iter().find(|&(i, j)| rows.iter().all(|row| row.points[i] == row.points[j])) {
+        return Err(CalibrateError::Twice(i + 1, j + 1));
+    }
+    let stands = readings.stands.len();
+    if rows.len() < 2 * stands {
+        return Err(CalibrateError::TooManyStands { stands, rows: rows.len() });
+    }
     let is_oriented = rows.iter().any(|row| row.orientation.is_some());
     for stand in (0..readings.stands.len()).filter(|_| !is_oriented) {
         let seen: Vec<Vector3<f64>> =
@@ -321,7 +343,7 @@ fn sights(readings: &Readings) -> Result<Vec<Sight>, CalibrateError> {
         .collect())
 }
 
-fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
+fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<&LeftOut>) -> LevelFit {
     let mut off: Vec<f64> = robust::distances(&fitted.rows).into_iter().map(|(_, _, off)| off).collect();
     off.sort_by(f64::total_cmp);
     let at = |share: f64| off[((off.len() as f64 * share) as usize).min(off.len() - 1)];
@@ -332,7 +354,7 @@ fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
         median: at(0.5),
         p95: at(0.95),
         largest: off.last().copied().unwrap_or(0.0),
-        left_out,
+        left_out: left_out.map(|found| found.rms),
         evidence: fitted.evidence,
         shown: fitted.shown,
     }

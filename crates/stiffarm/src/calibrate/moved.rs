@@ -20,7 +20,7 @@ pub(super) fn moved(rows: &Rows, fitted: &Fitted) -> Option<(usize, f64)> {
     if rows.stands != 1 || count < 2 * LEAST_ROWS {
         return None;
     }
-    let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, (&fitted.prior, fitted.noise));
+    let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, fitted.given());
     let mut crossed = DMatrix::zeros(h.nrows(), 6);
     let (mut own, mut slope) = (Matrix6::zeros(), Vector6::zeros());
     let (root, mut best, mut squares) = (h.cholesky()?, None, 0.0);

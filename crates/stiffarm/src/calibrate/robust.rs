@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::fit::Rows;
+use super::fit::{Given, Rows};
 use crate::chain::Frames;
 use crate::parallel;
 use crate::registration::{Linear, Sight, State};
@@ -32,12 +32,14 @@ pub struct WrongRow {
 /// Subsets that are tried: with a third of rows wrong one of eight is right, so that none is with a chance of 3e-5.
 pub(super) const SUBSETS: usize = 80;
 
-/// Rows with their weights, those that are wrong left out.
+/// Rows of which those that are wrong are left out.
 pub(super) struct Sound {
+    /// Of what is left every point counts alike: Student's weights would have the noise and all intervals too small by a sixth.
     pub(super) sights: Vec<Sight>,
     /// All rows with their weights, those that are wrong, too.
     pub(super) every: Vec<Sight>,
     pub(super) state: State,
+    /// Standard deviation of a coordinate of a point, m.
     pub(super) noise: f64,
     pub(super) lever: f64,
     /// Which row of the table each of `sights` is; rows without a sound point are left out.
@@ -61,7 +63,7 @@ pub(super) fn start(
         (0..stands).map(|stand| (0..sights.len()).filter(|&i| sights[i].stand == stand).collect()).collect();
     let step = sights.len().div_ceil(JUDGES);
     let judges: Vec<Sight> = sights.iter().step_by(step).cloned().collect();
-    let rows = |sights: Vec<Sight>| Rows { arm, drives: None, sights, stands, points, lever: 0.3 };
+    let rows = |sights: Vec<Sight>| Rows { arm, drives: None, sights, stands, points, lever: 0.3, together: false };
     let judging = rows(judges);
     let mut subset = || {
         let mut chosen = Vec::new();
@@ -90,23 +92,25 @@ pub(super) fn noise_of(off: f64) -> f64 {
     off / MEDIAN
 }
 
-/// Weights, noise and wrong rows under a prior, of all rows, from a state and a noise near theirs.
+/// Weights, noise and wrong rows of all rows under what is given, from a state and a noise near theirs.
 ///
 /// Rows that are wrong take part with their small weights: none is judged by whether it was left out before.
 ///
 /// Nothing where rows and prior leave a parameter open.
-pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (State, f64)) -> Option<Sound> {
+pub(super) fn sound(mut rows: Rows, given: Given, mut state: State) -> Option<Sound> {
     const ROUNDS: usize = 25;
     let all = rows.sights.clone();
+    let mut noise = given.coordinate();
+    let of_readings = |noise: f64| Given { noise: noise / (1.0 + given.common).sqrt(), ..given };
     for _ in 0..ROUNDS {
         let off = rows_distances(&rows, &state, &all);
         weigh(&mut rows.sights, &all, &off, noise);
-        let (next, linear) = rows.solved(state, prior, noise);
+        let (next, linear) = rows.solved(state, of_readings(noise));
         state = next;
         let middle = median(distances(&linear).into_iter().map(|(_, _, off)| off).collect());
         // What was fitted has taken its part of every distance.
-        let fitted = rows.spare_share(&linear, &state, (prior, noise))?;
-        let next_noise = (noise_of(middle) / fitted.sqrt()).max(1e-7);
+        let left = rows.left(&linear, &state, of_readings(noise))?;
+        let next_noise = (noise_of(middle) / left.sqrt()).max(1e-7);
         rows.lever = balanced(&linear, rows.lever, next_noise);
         let is_settled = (next_noise / noise - 1.0).abs() < 1e-3;
         noise = next_noise;
@@ -118,9 +122,8 @@ pub(super) fn sound(mut rows: Rows, prior: &[f64], (mut state, mut noise): (Stat
     let limit = (WRONG * noise).max(LEAST_WRONG);
     let is_wrong = |(_, _, off): &&(usize, usize, f64)| !(*off <= limit);
     let wrong: Vec<(usize, usize)> = off.iter().filter(is_wrong).map(|(row, point, _)| (*row, *point)).collect();
-    let mut kept = all.clone();
-    weigh(&mut kept, &all, &off, noise);
-    let every = kept.clone();
+    let (mut kept, mut every) = (all.clone(), all.clone());
+    weigh(&mut every, &all, &off, noise);
     for (row, point) in &wrong {
         kept[*row].points[*point] = None;
     }
@@ -146,14 +149,7 @@ pub(super) fn wrong_rows(wrong: &[(usize, usize, f64)], sights: &[Sight], lines:
 
 /// Row, point and distance of every point of all rows.
 pub(super) fn rows_distances(rows: &Rows, state: &State, all: &[Sight]) -> Vec<(usize, usize, f64)> {
-    let of_all = Rows {
-        arm: rows.arm,
-        drives: rows.drives,
-        sights: all.to_vec(),
-        stands: rows.stands,
-        points: rows.points,
-        lever: rows.lever,
-    };
+    let of_all = Rows { sights: all.to_vec(), ..*rows };
     distances(&of_all.linear(state))
 }
 

@@ -174,6 +174,7 @@ impl<'a> Table<'a> {
             base: self.options.base,
             tool: self.options.tool,
             precision: vec![0.0; free],
+            common: 0.0,
             chain,
         }
     }
