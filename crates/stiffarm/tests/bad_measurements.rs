@@ -41,10 +41,16 @@ fn a_table_that_makes_sense_is_read_in_any_unit_and_with_any_delimiter() {
             assert!((a.moved - b.moved).norm() < 1e-15 && a.q == b.q && a.load == b.load, "{other}");
         }
     }
-    let named = format!("posture,{HEAD}\n{}", ROWS.map(|row| format!("p,{row}\n")).concat().replacen("p,", "a,", 1));
+    let again = ROWS[1].replace("0.1,2.2,-0.1", "0.1,2.3,-0.1");
+    let named = format!("posture,{HEAD}\na,{}\np,{}\np,{again}\n", ROWS[0], ROWS[1]);
     let postures: Vec<usize> =
         read(&named, "t.csv", &Points::default()).unwrap().readings.iter().map(|one| one.posture).collect();
     assert_eq!(postures, [0, 1, 1]);
+    let elsewhere = refused(&format!("posture,{HEAD}\na,{}\np,{}\np,{}\n", ROWS[0], ROWS[1], ROWS[2]));
+    assert!(
+        elsewhere.contains("t.csv:4: row 3, posture: is that of row 2, and its joints are up to 95.0 deg"),
+        "{elsewhere}"
+    );
 }
 
 #[test]

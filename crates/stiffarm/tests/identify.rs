@@ -392,7 +392,17 @@ fn several_markers_are_distinguished_by_their_names() {
     close(&values(&identify(&robot, &measured, &Options::default(), Watch::nobody()).unwrap()), &TRUTH, 1e-5);
     let error =
         measurements::read(&text, "made.csv", &Points { load: points.load, markers: vec![] }).unwrap_err().to_string();
-    assert!(error.contains("made.csv:2: row 1, marker: several markers are named"), "{error}");
+    assert!(
+        error.contains("made.csv:2: row 1, marker: several markers are named, and where they sit is not"),
+        "{error}"
+    );
+    let unnamed = vec![Marker { name: None, at: made.spots[0].at.into() }];
+    let one = Points { load: points.load, markers: unnamed };
+    let error = measurements::read(&text, "made.csv", &one).unwrap_err().to_string();
+    assert!(
+        error.contains("made.csv:2: row 1, marker: several markers are named, and --marker-mm gives one"),
+        "{error}"
+    );
     assert_eq!(Spring::Drive(2).name(), "drive 3");
 }
 

@@ -82,7 +82,7 @@ pub(super) fn little_explained(measured: &[f64], residual: &[f64], is_out: &[boo
     let explained = 1.0 - of_right(residual) / of_right(measured);
     (explained < LITTLE).then(|| {
         format!(
-            "springs explain {:.0} % of the displacements: are axes of displacements and forces the same, and is load point and tool right? Else something that is no drive gives way",
+            "springs explain {:.0} % of the displacements of the rows that are not named: are axes of displacements and forces the same, and is load point and tool right? Else something that is no drive gives way",
             100.0 * explained.max(0.0)
         )
     })

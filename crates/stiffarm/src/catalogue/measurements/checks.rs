@@ -40,6 +40,15 @@ pub(super) fn check(measurements: &Measurements, units: &Units, faults: &mut Vec
             faults.push(Fault { line: line(reading), key, message });
         }
     }
+    faults.extend(elsewhere(readings).map(|(reading, first, far)| Fault {
+        line: line(reading),
+        key: format!("row {}, posture", reading.row),
+        message: format!(
+            "is that of row {}, and its joints are up to {:.1} deg apart from those; expected rows of one posture, or another name",
+            first.row,
+            far.to_degrees()
+        ),
+    }));
     let last = readings.last().map_or(0, |reading| reading.posture);
     if readings.iter().all(|reading| reading.posture == readings[0].posture) && last == 0 {
         let rows = readings.len();
@@ -52,6 +61,18 @@ pub(super) fn check(measurements: &Measurements, units: &Units, faults: &mut Vec
                 .into(),
         ));
     }
+}
+
+/// A reading, the first one of its posture, and how far their joints are apart, rad, where that is no one posture.
+fn elsewhere(readings: &[Reading]) -> impl Iterator<Item = (&Reading, &Reading, f64)> {
+    /// rad: what a controller that is sent to a posture again may be off, and much more.
+    const APART: f64 = 0.02;
+    let mut first: HashMap<usize, &Reading> = HashMap::new();
+    readings.iter().filter_map(move |reading| {
+        let first = *first.entry(reading.posture).or_insert(reading);
+        let far = reading.q.iter().zip(first.q).map(|(here, there)| (here - there).abs()).fold(0.0, f64::max);
+        (APART < far).then_some((reading, first, far))
+    })
 }
 
 /// Radians under `deg`. (Degrees under `rad` are beyond what a joint turns.)

@@ -173,6 +173,11 @@ impl Cells<'_> {
         Vector3::from(three.map(|column| self.number(column, 1e4))) / 1e3
     }
 
+    /// Some other row has another name in a column.
+    fn are_several(&self, column: usize) -> bool {
+        self.reader.table.rows.iter().any(|row| row.cells[column] != self.row.cells[column])
+    }
+
     /// Where the marker of this row sits.
     fn marker(&mut self, load_at: Vector3<f64>) -> Vector3<f64> {
         let markers = &self.reader.points.markers;
@@ -180,10 +185,7 @@ impl Cells<'_> {
         let name = column.map(|column| self.row.cells[column].clone()).filter(|name| !name.is_empty());
         match (name, column, markers.as_slice()) {
             (_, _, []) => {
-                let others = || {
-                    self.reader.table.rows.iter().any(|row| column.is_some_and(|c| row.cells[c] != self.row.cells[c]))
-                };
-                if let Some(column) = column.filter(|_| others()) {
+                if let Some(column) = column.filter(|column| self.are_several(*column)) {
                     self.fault(column, "several markers are named, and where they sit is not; expected --marker-mm name=x,y,z for each, or columns marker_x_mm, ..");
                 }
                 load_at
@@ -194,6 +196,9 @@ impl Cells<'_> {
                     return marker.at.into();
                 }
                 if let [Marker { name: None, at }] = markers {
+                    if self.are_several(column) {
+                        self.fault(column, "several markers are named, and --marker-mm gives one place without a name; expected --marker-mm name=x,y,z for each");
+                    }
                     return (*at).into();
                 }
                 let known: Vec<&str> = markers.iter().filter_map(|marker| marker.name.as_deref()).collect();
