@@ -91,8 +91,14 @@ impl PathAnswer {
             line("rapid moves", format!("{}, {} mm", survey.rapid_moves, mm(survey.rapid_length))),
         ];
         if let Some(read) = understood.as_ref().filter(|read| 0 < read.apart) {
-            lines
-                .push(line("not of the path", format!("{} moves to or from where only the machine knows", read.apart)));
+            lines.push(line(
+                "not of the path",
+                format!(
+                    "{} {} to or from where only the machine knows",
+                    read.apart,
+                    if read.apart == 1 { "move" } else { "moves" }
+                ),
+            ));
         }
         for (names, extent) in [
             (["extent of feed moves x", "y", "z"], survey.extent),

@@ -17,6 +17,8 @@ const ROUNDED: f64 = 1e-3;
 const SHARP: f64 = PI / 6.0;
 /// A cut that is narrower than a slot by less has its full width, rad.
 const NARROW: f64 = 1e-6;
+/// A cut that is wider than the tool by less is as wide as the tool.
+const WIDER: f64 = 1e-6;
 /// Below this part of its way across a move goes straight down.
 const STRAIGHT_DOWN: f64 = 1e-6;
 /// A ramp that falls by more is steep, rad.
@@ -132,6 +134,7 @@ pub fn forced(
         Forcing::Process(process) => cutting(process).map_err(at(0))?,
     };
     let (mut remarks, mut taken, has_stock) = (Vec::new(), Vec::new(), stock.is_some());
+    let mut speeds = Vec::new();
     let in_work = match (stock, forcing) {
         (None, _) => None,
         (Some(stock), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
@@ -147,6 +150,7 @@ pub fn forced(
         let time = clock.at(sample);
         let is_given = one.given.force.is_some() || one.given.axial_depth.is_some() && one.given.radial_width.is_some();
         taken.push(sample.is_cutting && !is_given);
+        speeds.push(one.given.spindle);
         if !sample.is_cutting {
             return Ok((None, None));
         }
@@ -172,7 +176,9 @@ pub fn forced(
     if let Some((_, between)) = in_work.filter(|_| stations.iter().all(|station| station.acting.is_none())) {
         return Err(if between == 0 { ForcedError::Missed } else { ForcedError::Between });
     }
+    remarks.extend(about_path(moves, forcing, has_stock));
     remarks.extend(about_feeds(&stations, forcing));
+    remarks.extend(about_chip(&stations, &speeds, forcing));
     remarks.extend(about_spindle(moves, forcing));
     remarks.extend(about_turning(moves, forcing));
     if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
@@ -205,23 +211,46 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
     if matches!(process.law, Law::Drilling { .. }) && 0 < aside {
         found.push(format!("{aside} samples feed across the tool axis: the thrust of a drill is taken there, too"));
     }
-    if let (Law::Milling(milling), Some(spindle)) = (&process.law, process.spindle) {
-        let meant = milling.engagement.feed_per_tooth * milling.teeth as f64 * spindle / TAU;
-        let other = pushed().filter_map(|station| station.sample.feed).filter(|feed| 0.1 < (feed / meant - 1.0).abs());
-        let [low, high] = other.fold([f64::INFINITY, 0.0], |[low, high], feed| [feed.min(low), feed.max(high)]);
-        if low <= high {
-            let per_minute = |feed: f64| (feed * 60e3).round();
-            let feeds = match [low, high].map(per_minute) {
-                [low, high] if low == high => format!("{low}"),
-                [low, high] => format!("{low} to {high}"),
-            };
-            found.push(format!(
-                "the path feeds at {feeds} mm/min where the process means {}: the force is that of its feed per tooth",
-                per_minute(meant)
-            ));
-        }
-    }
     found
+}
+
+/// What the path says of forces and cuts, and where that does not count.
+fn about_path(moves: &[Move], forcing: &Forcing, has_stock: bool) -> Vec<String> {
+    let feeds = || moves.iter().filter(|one| one.kind == MoveKind::Feed);
+    let (all, forced) = (feeds().count(), feeds().filter(|one| one.given.force.is_some()).count());
+    let has_cuts = feeds().any(|one| one.given.axial_depth.or(one.given.radial_width).is_some());
+    let mut found = Vec::new();
+    if 0 < forced {
+        let others = if forced == all { "no other force acts" } else { "what was asked acts on the others" };
+        found.push(format!("THE PATH'S OWN FORCES (fx_n, fy_n, fz_n) act on {forced} of {all} feed moves: {others}"));
+    }
+    let why = match forcing {
+        Forcing::Same(_) => "the force is given as such",
+        Forcing::Process(Process { law: Law::Milling(_), .. }) if !has_stock => return found,
+        Forcing::Process(_) if has_stock => "the stock tells what is cut where",
+        Forcing::Process(_) => "the process is not of a mill in a material",
+    };
+    found.extend(has_cuts.then(|| format!("ap_mm and ae_mm of the path are not looked at: {why}")));
+    found
+}
+
+/// Where the path feeds more or less a tooth than the process means: at its own speed of the spindle where it gives one.
+fn about_chip(stations: &[Station], speeds: &[Option<f64>], forcing: &Forcing) -> Option<String> {
+    /// In parts of what is meant.
+    const ALIKE: f64 = 0.1;
+    let Forcing::Process(Process { law: Law::Milling(milling), spindle, .. }) = forcing else { return None };
+    let meant = milling.engagement.feed_per_tooth;
+    let fed = stations.iter().zip(speeds).filter(|(station, _)| station.acting.is_some());
+    let chips = fed
+        .filter_map(|(station, speed)| Some(station.sample.feed? * TAU / (speed.or(*spindle)? * milling.teeth as f64)));
+    let others = chips.filter(|chip| chip.is_finite() && ALIKE < (chip / meant - 1.0).abs());
+    let [low, high] = others.fold([f64::INFINITY, 0.0], |[low, high], chip| [chip.min(low), chip.max(high)]);
+    let mm = |metres: f64| format!("{:.4}", metres * 1e3).trim_end_matches('0').trim_end_matches('.').to_owned();
+    (low <= high).then(|| {
+        let chips = if mm(low) == mm(high) { mm(low) } else { format!("{} to {}", mm(low), mm(high)) };
+        let meant = mm(meant);
+        format!("the path feeds {chips} mm a tooth where the process means {meant}: the force is that of the process")
+    })
 }
 
 /// Where the path turns the spindle otherwise than the process means.
@@ -363,6 +392,10 @@ fn as_given(process: &Process, given: &Given) -> Option<Result<Cutting, CuttingE
     }
     if [given.axial_depth, given.radial_width].contains(&Some(0.0)) {
         return Some(Ok((Acting::Known { force: [0.0; 3], moment: 0.0 }, None)));
+    }
+    if let Some(width) = given.radial_width.filter(|width| milling.diameter * (1.0 + WIDER) < *width) {
+        let expected = "no more than the diameter of the tool";
+        return Some(Err(CuttingError::Value { what: "ae_mm", value: (width * 1e9).round() / 1e6, expected }));
     }
     let usual = &milling.engagement;
     let depth = given.axial_depth.unwrap_or(usual.depth());

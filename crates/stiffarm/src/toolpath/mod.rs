@@ -136,7 +136,10 @@ impl Understood {
             remarks.push(format!("the ends of arcs miss one radius by up to {:.4} mm", self.arc_miss * 1e3));
         }
         if 0 < self.apart {
-            let what = "moves to or from where only the machine knows are no part of the path";
+            let what = match self.apart {
+                1 => "move to or from where only the machine knows is no part of the path",
+                _ => "moves to or from where only the machine knows are no part of the path",
+            };
             remarks.push(format!("{} {what}", self.apart));
         }
         if !self.ignored.is_empty() {

@@ -40,7 +40,7 @@ fields! {
     TOOL_NUMBER: "tool_number", Kind::Count, "The number of the tool in the file of the path.";
     WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
     FED_BACK: "fed_back", Kind::Object, "What becomes of the largest error as width and depth of the cut change with the displacement; null where no cut is known.";
-    CONTRACTION: "contraction", Kind::Number(Unit::One), "What of a displacement the cut gives back at most; from 1 on nothing settles.";
+    CONTRACTION: "contraction", Kind::Number(Unit::One), "To which part a displacement shrinks, in the long run, from round to round of displacement and force of the cut (spectral radius), at the worst sample; from 1 on nothing settles.";
     UNSETTLED: "unsettled", Kind::Count, "Samples at which nothing settles: pushed aside, the tool is drawn in.";
     PATH_CHATTER: "chatter", Kind::Object, "Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to the cut; null where that was not asked, or the path is not followed.";
     PATH_CHATTER_VERDICT: "chatter_verdict", Kind::Text, "What is reported of robot modes and of spindle modes along a path, in words, with the sample of which it is.";

@@ -12,7 +12,7 @@ use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request, opt};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::clearance::Cutter;
-use stiffarm::cutting::{Law, Process};
+use stiffarm::cutting::{Law, Process, Shank};
 use stiffarm::mill::{
     self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, TrueOptions,
     compensate, drawn_errors, forced, place_path, remaining,
@@ -43,9 +43,16 @@ impl MillAnswer {
         beside: impl Into<Beside>,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
-        let moves = of_one_tool(asked, moves.into())?;
+        let all = moves.into();
+        let has_others = 1 < surveyed(asked, all.iter()).tools.len();
+        let moves = of_one_tool(asked, all)?;
         let tool = surveyed(asked, moves.iter()).tools.first().and_then(|(tool, _)| *tool);
-        Self::with(asked, robot, (path, moves), Tooled { tool, beside: beside.into() }, watch)
+        let mut found = Self::with(asked, robot, (path, moves), Tooled { tool, beside: beside.into() }, watch)?;
+        found.remarks.extend((has_others && asked.stock().is_some()).then(|| {
+            "MORE MATERIAL: what the other tools of the path cut before is still in the block, so that the force is that of full material; a stock that is as they leave it tells more"
+                .to_owned()
+        }));
+        Ok(found)
     }
 
     /// The same of moves that are all of one tool.
@@ -62,7 +69,7 @@ impl MillAnswer {
         let of_tip = measured.as_ref().map_or_else(Vec::new, |measured| measured.remarks.clone());
         let chatter = AskedChatter::of(asked, &robot, (tool, process.as_ref()), measured)?;
         let shank = process.as_ref().and_then(|(_, process)| process.shank);
-        let (forcing, force, mut remarks) = forcing(asked, process)?;
+        let (forcing, force, mut remarks) = forcing(asked, process, &moves)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let (mut stock, known_to) = block_of(asked, &forcing, &path)?;
         remarks.extend(known_to);
@@ -80,6 +87,7 @@ impl MillAnswer {
         drop(stock);
         // Long ones need the memory.
         drop(moves);
+        remarks.extend(shank.and_then(|shank| beyond_flutes(&forced.stations, shank)));
         remarks.extend(forced.remarks);
         remarks.extend(words::pendant(&robot));
         remarks.extend(of_tip);
@@ -182,6 +190,19 @@ fn radius_of(forcing: &Forcing) -> f64 {
     } else {
         0.0
     }
+}
+
+/// What is said of a cut that is deeper than the flutes reach.
+fn beyond_flutes(stations: &[Station], shank: Shank) -> Option<String> {
+    let depth = |station: &Station| station.cut.as_ref().map(|cut| cut.engagement.depth());
+    let deeper = stations.iter().filter(|station| depth(station).is_some_and(|depth| shank.flute < depth));
+    let deepest = deeper.clone().filter_map(depth).fold(0.0, f64::max);
+    let first = deeper.clone().next()?.sample.line;
+    let [deepest, flute] = [deepest, shank.flute].map(|metres| fixed(metres * 1e3, 1));
+    Some(format!(
+        "DEEPER THAN THE FLUTES: {} samples, from line {first} on, cut up to {deepest} mm deep, and the flutes reach {flute} mm: the shank rubs there, under a force that nobody computes",
+        deeper.count()
+    ))
 }
 
 /// What is said of a cutter that is longer than its tool.
@@ -299,6 +320,7 @@ fn newtons(stations: &[Station]) -> String {
 fn forcing(
     asked: &Request,
     process: Option<(String, ProcessFile)>,
+    moves: &[Move],
 ) -> Result<(Forcing, String, Vec<String>), MillAnswerError> {
     if let Some((name, file)) = process {
         let mut remarks = file.assumed;
@@ -308,8 +330,14 @@ fn forcing(
         }));
         return Ok((Forcing::Process(file.process), name, remarks));
     }
-    let acting = asked.acting()?.ok_or_else(|| {
-        let why = "missing; expected --force-n with a size or FEED,ACROSS,AXIAL in N, or --process with a process file"
+    let mut feeds = moves.iter().filter(|one| one.kind == MoveKind::Feed).peekable();
+    let asked_for = asked.acting()?;
+    if asked_for.is_none() && feeds.peek().is_some() && feeds.all(|one| one.given.force.is_some()) {
+        // None of it acts anywhere.
+        return Ok((Forcing::Same(Acting::Any(0.0)), "as the path gives it (fx_n, fy_n, fz_n)".into(), Vec::new()));
+    }
+    let acting = asked_for.ok_or_else(|| {
+        let why = "missing; expected --force-n with a size or FEED,ACROSS,AXIAL in N, --process with a process file, or columns fx_n, fy_n, fz_n in every row of the path"
             .to_owned();
         asked.refused(opt::FORCE_N, why)
     })?;

@@ -198,6 +198,9 @@ impl PathRankAnswer {
             mm(value),
             self.leaves_out(best, value)
         )];
+        if self.milled().any(|milled| milled.options.clear_of.is_none()) {
+            sentences.push("No arm was looked at for collisions: with --clearance-mm 0 they are, and what keeps clear may err more.".into());
+        }
         if !rivals.is_empty() {
             let names = named(rivals.iter().map(|row| row.robot.name.clone()).collect());
             sentences.push(format!("By the proof it cannot be distinguished from {names}."));

@@ -119,8 +119,10 @@ impl MillAnswer {
             line("root mean square", mm(found.rms)),
         ];
         lines.extend(self.fed_back.as_ref().map(|found| {
-            let back =
-                format!("the cut gives back at most {} % of a displacement", fixed(100.0 * found.contraction, 1));
+            let back = format!(
+                "from round to round of displacement and cut it shrinks to {} %",
+                fixed(100.0 * found.contraction, 1)
+            );
             let text = match found.unsettled {
                 0 => format!("{}: {back}", mm(found.worst)),
                 count => format!("DOES NOT SETTLE at {count} samples: {back}, the tool is drawn in"),
