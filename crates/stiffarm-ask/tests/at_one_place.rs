@@ -203,7 +203,10 @@ fn a_clearance_that_is_kept_anyway_changes_no_place() {
     let asked =
         [("task", "rect:0.3x0.2"), ("model", "spatial"), ("tool", "spindle:250@90"), ("within", "0.8..,0.5..1.2")];
     let (free, clear) = (feasible(&asked), feasible(&[&asked[..], &[("clearance-mm", "0")]].concat()));
-    assert!(!free.collides_in_space() && clear.space().unwrap().bearing.abs() < 1e-9, "{free:?} {clear:?}");
+    assert!(
+        !free.clearance_in_space.is_some_and(|near| near.is_collision()) && clear.space().unwrap().bearing.abs() < 1e-9,
+        "{free:?} {clear:?}"
+    );
     assert!((clear.deflection / free.deflection - 1.0).abs() < 2e-2, "{} {}", clear.deflection, free.deflection);
 }
 

@@ -139,7 +139,7 @@ fn a_box_about_the_pedestal_takes_no_place_that_the_arm_keeps_out_of() {
     let found = best(CIRCLE, &plinth);
     assert!(
         found.space().unwrap().bearing.abs() < 1e-9
-            && !found.collides_in_space()
+            && !found.clearance_in_space.is_some_and(|near| near.is_collision())
             && (found.deflection / free.deflection - 1.0).abs() < 2e-2,
         "{found:?} {free:?}"
     );
@@ -236,7 +236,11 @@ fn a_box_that_is_kept_free_is_free_of_the_arm_too() {
     let free = asked(&[window, post, ("allow-contact", "true")]);
     let through = best(CIRCLE, &free);
     let touched = through.clearance_in_space.unwrap();
-    assert!(through.collides_in_space() && matches!(touched.to, Obstacle::KeepOut(1)), "{touched:?}");
+    assert!(
+        through.clearance_in_space.is_some_and(|near| near.is_collision())
+            && matches!(touched.to, Obstacle::KeepOut(1)),
+        "{touched:?}"
+    );
     let placed = place(&model(), &CIRCLE.into(), &asked(&[window, post]), Watch::nobody()).unwrap();
     let Placed::Infeasible { reason: Misfit::Clearance { asked: least, otherwise }, is_proved: false, .. } = placed
     else {
@@ -246,7 +250,10 @@ fn a_box_that_is_kept_free_is_free_of_the_arm_too() {
     // A lower post is passed, and where the best place of all keeps clear it is the answer.
     let low = ("keep-out", "0.9..1.2,-2.0..2.0,..0.4");
     let over = best(CIRCLE, &asked(&[window, low]));
-    assert!(!over.collides_in_space() && through.deflection <= over.deflection, "{over:?}");
+    assert!(
+        !over.clearance_in_space.is_some_and(|near| near.is_collision()) && through.deflection <= over.deflection,
+        "{over:?}"
+    );
     let far = ("keep-out", "5.0..6.0,-2.0..2.0,..0.4");
     assert_eq!(best(CIRCLE, &asked(&[window, far])), best(CIRCLE, &asked(&[window, far, ("allow-contact", "true")])));
     let refused = |given: &[(&str, &str)]| {

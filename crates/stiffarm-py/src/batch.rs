@@ -2,10 +2,11 @@
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use stiffarm_ask::answer::compliance::{matrices_um_per_n, worst_um_per_n};
+use stiffarm_ask::answer::compliance::{doubts, matrices_um_per_n, worst_um_per_n};
 use stiffarm_ask::request::Verb;
 
 use crate::asked::Asked;
+use crate::hearing::said;
 use crate::pool::detached;
 use crate::refused;
 use crate::robot::Robot;
@@ -32,6 +33,7 @@ pub(crate) fn worst<'py>(
     let asked = asked.of(Verb::Compliance)?;
     let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.tool_pose().tool());
     let joints_deg = rows(&joints_deg)?;
+    said(py, &doubts(robot, joints_deg))?;
     let mut found = vec![0.0; joints_deg.len()];
     detached(py, &progress, |watch| worst_um_per_n(robot, &tool, joints_deg, &mut found, watch))?
         .map_err(|error| refused(format!("{}: {error}", robot.name)))?;

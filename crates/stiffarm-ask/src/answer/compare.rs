@@ -60,7 +60,7 @@ const LINES: [(&str, Says); 22] = [
     }),
     ("clearance", |side| {
         let clearance = side.clearance()?;
-        let loud = if clearance.distance < 0.0 { "COLLISION: " } else { "" };
+        let loud = words::collision(&clearance).map_or_else(String::new, |loud| format!("{loud}: "));
         Some(format!("{loud}{} mm, {}", fixed(clearance.distance * 1e3, 0), words::clearance_between(&clearance)))
     }),
     ("payload", |side| said_of_load(side, "payload")),
@@ -235,14 +235,16 @@ impl CompareAnswer {
                 let clause = format!("{} gives way {} times as far", called(1 - better), fixed(times, 3));
                 match self.chances() {
                     Some(share) if SURE <= share[better] => format!(
-                        "{} is better: {clause}, which is proved at the nominal stiffness, and it is stiffer in {} of the draws of the drives.",
+                        "{} is better, which is proved at the nominal stiffness: {clause}. By what is known of the drives {} is stiffer in {} of the draws.",
                         called(better),
+                        NAMES[better].to_uppercase(),
                         share_of_draws(share[better])
                     ),
                     Some(share) => format!(
-                        "At the nominal stiffness {} is better, which is proved: {clause}. By what is known of the drives {}: it is stiffer in {} of the draws.",
+                        "At the nominal stiffness {} is better, which is proved: {clause}. By what is known of the drives {}: {} is stiffer in {} of the draws.",
                         called(better),
                         if SURE <= share[1 - better] { "it is not" } else { "they tie" },
+                        NAMES[better].to_uppercase(),
                         share_of_draws(share[better])
                     ),
                     None => {
@@ -269,7 +271,7 @@ impl CompareAnswer {
                 let name = called(at);
                 sentences.push(format!("The numbers of {name} are estimated: find its data sheet before you decide."));
             }
-            if collides(side) {
+            if side.collision().is_some() {
                 sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(at)));
             }
             sentences.extend(
@@ -299,14 +301,9 @@ impl CompareAnswer {
     }
 }
 
-/// The arm collides at its place.
-fn collides(side: &PlaceAnswer) -> bool {
-    side.best().is_some_and(Placement::collides_in_space)
-}
-
 /// A setup is not to be taken, whatever its deflection: its arm collides, or it carries more than it may.
 fn is_barred(side: &PlaceAnswer) -> bool {
-    collides(side) || side.carried().is_exceeded()
+    side.collision().is_some() || side.carried().is_exceeded()
 }
 
 /// `1.980 to 2.003 mm`.

@@ -197,6 +197,26 @@ pub fn worst_um_per_n(
     worst_of_rows(robot, flange_from_tool, joints_deg, UNITS, found, watch)
 }
 
+/// What looks wrong about joint angles, deg, of one posture or many: radians, and joints beyond their limits.
+pub fn doubts(robot: &Robot, joints_deg: &[[f64; 6]]) -> Vec<String> {
+    let (mut found, mut beyond) = (Vec::new(), [0_usize; 7]);
+    let angles = || joints_deg.iter().flatten();
+    if angles().any(|angle| *angle != 0.0) && angles().all(|angle| angle.abs() <= std::f64::consts::TAU) {
+        found.push(
+            "warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees".to_owned(),
+        );
+    }
+    for q in joints_deg {
+        beyond_limits(robot, &q.map(f64::to_radians)).into_iter().for_each(|joint| beyond[joint] += 1);
+    }
+    for (joint, count) in beyond.into_iter().enumerate().filter(|(_, count)| 0 < *count) {
+        let (which, all) = (words::limited(joint), joints_deg.len());
+        let at = if all == 1 { String::new() } else { format!(" at {count} of {all} postures") };
+        found.push(format!("warning: {which} is beyond its limits{at} (`stiffarm robots show` lists them)"));
+    }
+    found
+}
+
 /// The block from force to translation, um/N, base axes, at many postures; see [`matrices_of_rows`].
 ///
 /// # Errors

@@ -7,17 +7,19 @@ mod sentences;
 use serde_json::{Value, json};
 
 use super::payload::{Carried, FlangeLoad};
-use super::place::{put_advice, put_placement};
+use super::place::{clearance, put_advice, put_placement};
 use super::uncertainty::{self, Known};
 use super::verdict::Verdict;
 use super::words::{self, fixed};
 use super::{Datum, Record, Rows, Table, field, force, margins, shape, stiffness, stiffnesses, with_schema};
 use stiffarm::advice::Advice;
+use stiffarm::clearance::Clearance;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
-use stiffarm::place::{Margins, PlaceOptions, Placement};
+use stiffarm::place::{Margins, PlaceOptions};
 use stiffarm::rank::{Rank, Ranking, Row};
 use stiffarm::robot::{Robot, Status};
+use stiffarm::task::Task;
 use stiffarm::uncertainty::{Chances, Spread, chances_of, drawn_in};
 
 /// The answer of `rank`, with what was asked.
@@ -35,6 +37,8 @@ pub struct RankAnswer {
     pub(super) chances: Vec<Vec<Option<Chances>>>,
     /// Where the deflection of every row at every task lies, and how likely it keeps the tolerance.
     known: Vec<Vec<Option<Known>>>,
+    /// How near the arm of every row comes to anything at its place for every task.
+    clearances: Vec<Vec<Option<Clearance>>>,
 }
 
 /// Who is best at a task.
@@ -58,7 +62,15 @@ impl RankAnswer {
         let drawn = drawn_in(&ranking);
         let known = |of_task: Option<Vec<f64>>| of_task.map(|draws| Known::of(draws, tolerance_mm));
         let judged = drawn.iter().map(|of_row| of_row.iter().cloned().map(known).collect()).collect();
-        let mut answer = Self { ranking, options, tolerance_mm, advice, chances: Vec::new(), known: judged };
+        let clear = |row: &Row| {
+            let of_task = |(cell, task): (usize, &Task)| {
+                clearance(&row.robot, (&ranking.model, &options), task, row.placement(cell)?)
+            };
+            ranking.tasks.iter().enumerate().map(of_task).collect()
+        };
+        let clearances = ranking.rows.iter().map(clear).collect();
+        let mut answer =
+            Self { ranking, options, tolerance_mm, advice, chances: Vec::new(), known: judged, clearances };
         // Who is not to be taken wins nothing, and ties with nobody.
         let may_win = |(row, of_row): (&Row, Vec<_>)| {
             if answer.is_barred(row) { vec![None; of_row.len()] } else { of_row }
@@ -88,11 +100,28 @@ impl RankAnswer {
         rivals.into_iter().filter(|row| !self.is_barred(row)).collect()
     }
 
+    /// How near the arm of a row comes to anything at its place for a task.
+    pub(super) fn clearance(&self, at: usize, task: usize) -> Option<Clearance> {
+        self.clearances[at][task]
+    }
+
+    /// The arm of a row collides at its place for a task.
+    pub fn collides(&self, at: usize, task: usize) -> bool {
+        self.clearance(at, task).is_some_and(|clearance| clearance.is_collision())
+    }
+
+    /// Where a row of the ranking stands in it.
+    pub(super) fn at(&self, row: &Row) -> usize {
+        let is_it = |one: &Row| std::ptr::eq(one, row);
+        self.ranking.rows.iter().position(is_it).expect("a row of the ranking")
+    }
+
     /// Whether a row keeps the tolerance at a task; `None` where there is no tolerance, or no place.
     pub fn verdict(&self, at: usize, task: usize) -> Option<Verdict> {
         let deflection = self.ranking.rows[at].deflection(task)?;
         let holds = self.known[at][task].and_then(|known| known.holds);
-        Some(Verdict::of(deflection, self.tolerance_mm?).with(holds))
+        let is_of_drives_alone = self.clearance(at, task).is_some_and(|clearance| clearance.may_collide());
+        Some(Verdict { is_of_drives_alone, ..Verdict::of(deflection, self.tolerance_mm?).with(holds) })
     }
 
     /// Of some robot something states the uncertainty of its drive stiffness.
@@ -102,8 +131,7 @@ impl RankAnswer {
 
     /// The same of a row of the ranking.
     pub(super) fn verdict_of(&self, row: &Row, task: usize) -> Option<Verdict> {
-        let at = self.ranking.rows.iter().position(|one| std::ptr::eq(one, row))?;
-        self.verdict(at, task)
+        self.verdict(self.at(row), task)
     }
 
     /// What a robot must hold.
@@ -314,8 +342,7 @@ impl RankAnswer {
             (false, false) if rivals.iter().any(|rival| rival.robot == row.robot) => "=",
             (false, false) => "",
         };
-        let collides = row.placement(task).is_some_and(Placement::collides_in_space);
-        let loud = if collides { " COLLISION" } else { "" };
+        let loud = if self.collides(at, task) { " COLLISION" } else { "" };
         // As on a path: who may not carry it passes nothing.
         let judged = match self.verdict(at, task) {
             _ if self.carried(&row.robot).is_exceeded() => " LOAD EXCEEDED".into(),

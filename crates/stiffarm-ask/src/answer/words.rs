@@ -245,15 +245,29 @@ pub fn bodies(link: Link, to: Obstacle) -> String {
     format!("{} to {to}", link.name())
 }
 
+/// A collision, or what may be one where wrist and tool are not in the model.
+pub fn collision(clearance: &Clearance) -> Option<&'static str> {
+    match (clearance.is_collision(), clearance.may_collide()) {
+        (true, _) => Some("COLLISION"),
+        (false, true) => Some("MAY COLLIDE"),
+        (false, false) => None,
+    }
+}
+
 /// How near the arm comes to anything; loud where it is too near.
 pub fn clearance(clearance: &Clearance) -> Line {
-    let distance = clearance.distance * 1e3;
+    // Rounding below nothing is nothing.
+    let distance = if clearance.overlaps() { clearance.distance } else { clearance.distance.max(0.0) } * 1e3;
     let poses = clearance.poses;
     let tool = if clearance.knows_tool { "" } else { "; wrist and tool are not known to this model" };
-    if distance < 0.0 {
-        let by = fixed(-distance, 0);
-        let of = clearance_of(clearance);
-        return line("COLLISION", format!("{of}: they overlap by {by} mm{tool}; a place not to be chosen"));
+    if let Some(loud) = collision(clearance) {
+        let (of, by) = (clearance_of(clearance), fixed(-distance, 0));
+        let so = if clearance.is_collision() {
+            "a place not to be chosen"
+        } else {
+            "wrist and tool are not known to this model, --model spatial tells"
+        };
+        return line(loud, format!("{of}: they overlap by {by} mm; {so}"));
     }
     let of = clearance_between(clearance);
     line("clearance", format!("{} mm at {poses} poses, {of}{tool}", fixed(distance, 0)))

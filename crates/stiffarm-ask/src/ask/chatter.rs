@@ -27,7 +27,7 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ChatterOutput,
     let found = context
         .watched("looking for the depth", |_| chatter(&robot, &radians, &tool, &process.process, &wanted))
         .map_err(|error| refusal(error, &file, measured.as_ref()))?;
-    remarks(&robot, [&joints_deg, &radians], context);
+    remarks(&robot, &joints_deg, context);
     let answer = ChatterAnswer { robot, joints_deg, tool, file, process, measured, chatter: found };
     Ok(ChatterOutput(answer, FigureSize::of(asked)?))
 }

@@ -1,12 +1,13 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
+use crate::answer::compliance::doubts;
 use crate::answer::compliance::vector;
-use crate::answer::words::{class, limited};
+use crate::answer::words::class;
 use crate::answer::{ComplianceAnswer, Rows, Unit, stiffness};
 use crate::request::Request;
 use nalgebra::Vector3;
 use serde_json::Value;
-use stiffarm::compliance::{beyond_limits, compliance};
+use stiffarm::compliance::compliance;
 use stiffarm::palette::{DEFLECTION, FORCE, WORST_DIRECTION};
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
@@ -24,22 +25,14 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ComplianceOutp
     let radians = q.map(f64::to_radians);
     let posture =
         compliance(&robot, &radians, &tool).map_err(|error| AskError::Posture { robot: robot.name.clone(), error })?;
-    remarks(&robot, [&q, &radians], context);
+    remarks(&robot, &q, context);
     let answer = ComplianceAnswer { robot, joints_deg: q, posture, load };
     Ok(ComplianceOutput { answer, tool })
 }
 
 /// Says beside the answer what looks wrong about the joint angles.
-pub(crate) fn remarks(robot: &Robot, [q, radians]: [&[f64; 6]; 2], context: Context) {
-    if q.iter().any(|angle| *angle != 0.0) && q.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
-        context
-            .listener
-            .remark("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
-    }
-    for joint in beyond_limits(robot, radians) {
-        let which = limited(joint);
-        context.listener.remark(&format!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)"));
-    }
+pub(crate) fn remarks(robot: &Robot, q: &[f64; 6], context: Context) {
+    doubts(robot, &[*q]).iter().for_each(|doubt| context.listener.remark(doubt));
 }
 
 /// How long a force is drawn, m.

@@ -18,7 +18,7 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOu
     let (joints_deg, tool, damping) = (asked.joints_deg()?, asked.held_tool()?, asked.damping());
     let radians = joints_deg.map(f64::to_radians);
     let swing = modes(&robot, &radians, &tool, damping).map_err(AskError::Modes)?;
-    remarks(&robot, [&joints_deg, &radians], context);
+    remarks(&robot, &joints_deg, context);
     let answer = ModesAnswer { robot, joints_deg, tool, damping, count: asked.mode_count(), swing };
     Ok(ModesOutput { answer, asked, inputs: Inputs::of(asked, context), figure_size: FigureSize::of(asked)? })
 }

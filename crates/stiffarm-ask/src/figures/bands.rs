@@ -161,8 +161,15 @@ impl Bands {
         canvas.text([middle, bottom + 12.0 + further[0]], small, word);
         canvas.text([middle, top - 11.0 - further[1]], large, word);
         let font = Font::new(13.0).middle();
-        // The unit stands at its end.
-        for (i, line) in font.wrapped(title, bottom - top + 30.0, 2).iter().enumerate() {
+        // The unit stands at its end, and is never cut.
+        let (name, unit) =
+            title.rsplit_once(" [").map_or((title, String::new()), |(name, unit)| (name, format!(" [{unit}")));
+        let room = bottom - top + 30.0;
+        let mut lines = font.wrapped(name, room, 2);
+        if let Some(last) = lines.last_mut() {
+            *last = font.cut(last, room - font.width(&unit)) + &unit;
+        }
+        for (i, line) in lines.iter().enumerate() {
             canvas.text(
                 [right + 20.0 + widest + 15.0 * i as f64, f64::midpoint(bottom, top)],
                 line,

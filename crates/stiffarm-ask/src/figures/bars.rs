@@ -176,7 +176,9 @@ impl BarsFigure {
         }
         canvas.line([left, top - 4.0], [left, bottom], &format!(r#"stroke="{INK}" stroke-width="1""#));
         let font = Font::new(13.0).bold();
-        canvas.text([left, top - 16.0], &font.cut(&format!("{name} [mm]"), right - left), font);
+        let unit = " [mm]";
+        let name = font.cut(name, right - left - font.width(unit));
+        canvas.text([left, top - 16.0], &format!("{name}{unit}"), font);
     }
 
     fn entries(&self) -> Vec<Entry> {

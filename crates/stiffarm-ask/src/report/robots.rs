@@ -8,13 +8,28 @@ use super::Section;
 
 /// Status, stiffness and every source of one robot.
 fn sources(robot: &Robot) -> Table {
+    let mut table = geometry(robot);
+    table.row(["stiffness".to_owned(), stiffness(robot)]);
+    table
+}
+
+/// Where lengths and limits are from.
+fn geometry(robot: &Robot) -> Table {
     let mut table = Table::new(["what", "where from"]);
     table.row(["status".to_owned(), class(robot)]);
-    table.row(["stiffness".to_owned(), stiffness(robot)]);
     for (what, source) in &robot.source {
         table.row([what.clone(), source.clone()]);
     }
     table
+}
+
+/// The drawing of a robot whose drives or errors are found, as a section.
+pub(crate) fn drawing_of(robot: &Robot) -> Section {
+    let mut section = Section::new("Where the drawing comes from");
+    section.notes(statuses(std::iter::once(robot)).lines());
+    section.heading(robot.full_name());
+    section.table(geometry(robot));
+    section
 }
 
 /// The same as a section.

@@ -109,7 +109,7 @@ def compliance(
 ) -> Compliance | Compliances:
     """Six-axis compliance at one posture, or at many.
 
-    All six drives are compliant, everything else is rigid. Joint limits are not checked.
+    All six drives are compliant, everything else is rigid. Joints beyond their limits are computed, and warned of.
 
     Parameters
     ----------

@@ -2358,7 +2358,8 @@ class FedBackDict(TypedDict):
     """The largest error along the path."""
 
     contraction: float
-    """What of a displacement the cut gives back at most; from 1 on nothing settles."""
+    """To which part a displacement shrinks, in the long run, from round to round of displacement and force of
+    the cut (spectral radius), at the worst sample; from 1 on nothing settles."""
 
     unsettled: int
     """Samples at which nothing settles: pushed aside, the tool is drawn in."""
@@ -2465,7 +2466,8 @@ class PathChatter(TypedDict):
 
     calm_rpm: list[list[float]] | None
     """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
-    allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's."""
+    allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and
+    where a measured table decides nothing."""
 
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
@@ -3620,7 +3622,8 @@ class ChatterDict(TypedDict):
 
     calm_rpm: list[list[float]] | None
     """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
-    allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's."""
+    allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and
+    where a measured table decides nothing."""
 
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""

@@ -110,6 +110,25 @@ pub struct Clearance {
     pub poses: usize,
 }
 
+impl Clearance {
+    /// They overlap by more than rounding.
+    pub fn overlaps(&self) -> bool {
+        /// m.
+        const ROUNDING: f64 = 1e-9;
+        self.distance < -ROUNDING
+    }
+
+    /// They overlap, and the whole arm is known: in the arm plane the forearm ends where wrist and tool would begin.
+    pub fn is_collision(&self) -> bool {
+        self.knows_tool && self.overlaps()
+    }
+
+    /// They overlap in a model that has neither wrist nor tool: with these the arm may stand clear.
+    pub fn may_collide(&self) -> bool {
+        !self.knows_tool && self.overlaps()
+    }
+}
+
 /// What stands about a robot, in the axes of its base.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Surroundings {

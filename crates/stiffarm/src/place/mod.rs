@@ -284,11 +284,6 @@ impl Placement {
         }
     }
 
-    /// At some pose of the answer in space the arm overlaps with the floor, the work, itself or what must be kept free.
-    pub fn collides_in_space(&self) -> bool {
-        self.clearance_in_space.is_some_and(|clearance| clearance.distance < 0.0)
-    }
-
     /// The centre of the zone in a cell, m.
     pub fn in_cell(&self, cell: &Cell) -> [f64; 3] {
         let ([x, z], bearing) = (self.centre, self.space().map_or(0.0, |hold| hold.bearing));

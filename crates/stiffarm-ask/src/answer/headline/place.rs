@@ -31,7 +31,7 @@ impl PlaceAnswer {
             let text = format!("{name} gives way by {value} at worst on {label}, {stands}.");
             let proof = (!self.is_at_one_place()).then(|| proved(best));
             return self
-                .colliding(best)
+                .colliding()
                 .or_else(|| self.overloaded())
                 .unwrap_or((Outcome::Computed, [Some(text), proof].into_iter().flatten().collect()));
         };
@@ -56,7 +56,7 @@ impl PlaceAnswer {
             });
         }
         sentences.push(scattered(verdict, self.known().map(|known| known.spread), &self.robot));
-        match self.colliding(best).or_else(|| self.overloaded()) {
+        match self.colliding().or_else(|| self.overloaded()) {
             Some((outcome, mut warnings)) => {
                 warnings.extend(sentences);
                 (outcome, warnings)
@@ -66,8 +66,8 @@ impl PlaceAnswer {
     }
 
     /// A place that must not be chosen.
-    fn colliding(&self, best: &Placement) -> Option<(Outcome, Vec<String>)> {
-        let clearance = self.clearance().filter(|_| best.collides_in_space())?;
+    fn colliding(&self) -> Option<(Outcome, Vec<String>)> {
+        let clearance = self.collision()?;
         let [name, says] = words::clearance(&clearance);
         Some((
             Outcome::Collides,

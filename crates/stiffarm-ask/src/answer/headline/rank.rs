@@ -5,7 +5,6 @@ use super::super::{RankAnswer, uncertainty};
 use super::place::sentence;
 use super::{Headline, Outcome, drives_rest_on, means, mm};
 use stiffarm::model::ModelKind;
-use stiffarm::place::Placement;
 use stiffarm::rank::Row;
 
 impl RankAnswer {
@@ -33,7 +32,7 @@ impl RankAnswer {
         if winners.is_empty() {
             return Outcome::NoPlace;
         }
-        if any(&|task, row| row.placement(task).is_some_and(Placement::collides_in_space)) {
+        if any(&|task, row| self.collides(self.at(row), task)) {
             return Outcome::Collides;
         }
         if self.tolerance_mm.is_some() && self.shortfall().is_some() {
@@ -63,7 +62,9 @@ impl RankAnswer {
         let leads: Vec<Lead> = (0..tasks).filter_map(|task| self.lead(task)).collect();
         let least = leads.iter().min_by(|a, b| a.ahead.total_cmp(&b.ahead))?;
         // Never more than it is.
-        let percent = fixed((1000.0 * least.ahead).floor() / 10.0, 1);
+        let digits: u8 = if least.ahead < 1e-3 { 3 } else { 1 };
+        let unit = 10_f64.powi(digits.into());
+        let percent = fixed((100.0 * unit * least.ahead).floor() / unit, digits.into());
         let label = |lead: &Lead| self.ranking.tasks[lead.task].label.as_str();
         let (next, bound) = (&least.next.robot.name, mm(least.bound));
         let on = match leads.len() {

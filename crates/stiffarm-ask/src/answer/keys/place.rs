@@ -94,7 +94,7 @@ fields! {
     BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
     PASS: "pass", Kind::Truth, "The tolerance is kept, at the nominal stiffness.";
-    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
+    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
     PROBABILITY: "probability", Kind::Number(Unit::One), "Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an identified model; null where neither uncertainty is known.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
     ADVICE: "advice", Kind::Object, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";

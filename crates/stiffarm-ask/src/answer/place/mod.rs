@@ -57,7 +57,9 @@ impl PlaceAnswer {
     /// Whether the tolerance is kept at the best place; `None` where there is none of the two.
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, best) = self.tolerance_mm.zip(self.best())?;
-        Some(Verdict::of(best.deflection, tolerance).with(self.known().and_then(|known| known.holds)))
+        let is_of_drives_alone = self.clearance().is_some_and(|clearance| clearance.may_collide());
+        let verdict = Verdict::of(best.deflection, tolerance).with(self.known().and_then(|known| known.holds));
+        Some(Verdict { is_of_drives_alone, ..verdict })
     }
 
     /// The best place, where there is one.
@@ -70,6 +72,11 @@ impl PlaceAnswer {
         clearance(&self.robot, (&self.model, &self.options), &self.task, self.best()?)
     }
 
+    /// The same where they overlap: a place that must not be chosen.
+    pub(super) fn collision(&self) -> Option<Clearance> {
+        self.clearance().filter(Clearance::is_collision)
+    }
+
     /// Why the answer is no, where it is: there is no place, the arm collides there, it carries more than it may, or the tolerance is not held.
     pub fn shortfall(&self) -> Option<String> {
         let Self { robot, task, placed, tolerance_mm, .. } = self;
@@ -79,7 +86,7 @@ impl PlaceAnswer {
             }
             Placed::Feasible(best) => best,
         };
-        if let Some(clearance) = self.clearance().filter(|_| best.collides_in_space()) {
+        if let Some(clearance) = self.collision() {
             let [name, says] = words::clearance(&clearance);
             return Some(format!("{}: {name}, {says}", robot.name));
         }

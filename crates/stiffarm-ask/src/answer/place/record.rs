@@ -77,7 +77,8 @@ pub(in crate::answer) fn put_placement(
     held(record, (robot, best, clearance), options);
     uncertainty::put(record, known.map(|known| known.spread));
     let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
-    let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
+    let is_of_drives_alone = clearance.is_some_and(|clearance| clearance.may_collide());
+    let held = held.map(|held| Verdict { is_of_drives_alone, ..held.with(known.and_then(|known| known.holds)) });
     verdict::put(record, tolerance_mm, held, best.is_none() && placed.is_ok());
 }
 

@@ -6,6 +6,7 @@ use super::super::verdict::HOLDS;
 use super::super::words::{self, COLUMN};
 use super::super::{cell, margins};
 use super::RankAnswer;
+use stiffarm::clearance::Clearance;
 use stiffarm::mass::GRAVITY;
 use stiffarm::place::{Column, PlaceError, Placement};
 use stiffarm::rank::{Cell, Ranking, Row};
@@ -70,9 +71,9 @@ impl RankAnswer {
             notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
         }
         notes += &words::statuses(rows.iter().map(|row| &row.robot));
+        notes += &self.proof();
+        notes += &self.colliding();
         if in_plane.is_some() {
-            notes += &self.proof();
-            notes += &self.colliding();
             notes += "clearance (JSON, CSV): links as capsules, those that enclose them where the robot file has such, at the poses of each answer; ";
             notes += &cell::known_about(rows.iter().map(|row| &row.robot), self.options.cell.as_ref());
         }
@@ -97,11 +98,11 @@ impl RankAnswer {
     }
 
     /// Robots with the tasks of which the place is as `odd` says.
-    fn named(&self, odd: impl Fn(&Placement) -> bool) -> Option<String> {
+    fn named(&self, odd: impl Fn(&Row, usize, &Placement) -> bool) -> Option<String> {
         let mut found = Vec::new();
         for row in &self.ranking.rows {
             let tasks: Vec<&str> = (0..row.cells.len())
-                .filter(|&task| row.placement(task).is_some_and(&odd))
+                .filter(|&task| row.placement(task).is_some_and(|best| odd(row, task, best)))
                 .map(|task| self.ranking.tasks[task].label.as_str())
                 .collect();
             if !tasks.is_empty() {
@@ -117,7 +118,7 @@ impl RankAnswer {
 
     /// Names the places that lie partly below the base: reached, but rarely meant.
     fn below_base(&self) -> String {
-        let named = self.named(|best| best.outside.is_some_and(|outside| outside.below));
+        let named = self.named(|_, _, best| best.outside.is_some_and(|outside| outside.below));
         named.map_or_else(String::new, |names| {
             format!("zones partly below the base (--floor 0 keeps them above): {names}\n")
         })
@@ -128,7 +129,8 @@ impl RankAnswer {
         if self.options.margins.column != Column::Radius(0.0) {
             return String::new();
         }
-        let named = self.named(|best| best.space().is_some() && best.from_axis_1.is_some_and(|near| near < COLUMN));
+        let named =
+            self.named(|_, _, best| best.space().is_some() && best.from_axis_1.is_some_and(|near| near < COLUMN));
         named.map_or_else(String::new, |names| {
             format!(
                 "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--clear-of-base-m keeps away): {names}\n"
@@ -138,14 +140,22 @@ impl RankAnswer {
 
     /// Names the places in space where the arm overlaps with something.
     fn colliding(&self) -> String {
-        let named = self.named(Placement::collides_in_space);
-        named.map_or_else(String::new, |names| {
-            format!("COLLISION at the place (`stiffarm place --model spatial` says of what): {names}\n")
-        })
+        let where_it = |is: fn(&Clearance) -> bool| {
+            self.named(|row, task, _| self.clearance(self.at(row), task).is_some_and(|clearance| is(&clearance)))
+        };
+        let collide = where_it(Clearance::is_collision)
+            .map(|names| format!("COLLISION at the place (`stiffarm place --model spatial` says of what): {names}\n"));
+        let may = where_it(Clearance::may_collide).map(|names| {
+            format!("may collide at the place, as far as a model without wrist and tool tells (`stiffarm place` says of what, --model spatial knows): {names}\n")
+        });
+        [collide, may].into_iter().flatten().collect()
     }
 
-    /// How far the values in space are from being proved best.
+    /// How far the values in space are from being proved best; in the plane all are.
     fn proof(&self) -> String {
+        if self.ranking.in_plane.is_none() {
+            return String::new();
+        }
         let rows = &self.ranking.rows;
         let placed = || {
             let cells = rows.iter().flat_map(|row| (0..row.cells.len()).map(move |task| (row, task)));

@@ -1,6 +1,5 @@
 //! One robot of a ranking, task by task.
 
-use super::super::place::clearance;
 use super::super::words::{self, fixed};
 use super::super::{Table, margins};
 use super::RankAnswer;
@@ -34,11 +33,14 @@ impl RankAnswer {
             cells.push(or_dash(best, |best| {
                 best.smallest_margin().map(|(least, of)| format!("{} ({})", words::degrees(least), margins::of(of)))
             }));
-            cells.push(or_dash(best, |best| {
-                let found = clearance(&row.robot, (&self.ranking.model, &self.options), asked, best)?.distance;
-                let distance = fixed(found * 1e3, 0);
-                Some(if found < 0.0 { format!("COLLISION {distance}") } else { distance })
-            }));
+            cells.push(self.clearance(at, task).map_or_else(
+                || "-".into(),
+                |found| {
+                    let distance = fixed(found.distance * 1e3, 0);
+                    let loud = words::collision(&found).map_or_else(String::new, |loud| format!("{loud} "));
+                    format!("{loud}{distance}")
+                },
+            ));
             table.row(cells);
         }
         table

@@ -1,16 +1,15 @@
 //! What a manager would read of a ranking, and why there is no advice where there is none.
 
 use super::super::advice;
-use super::super::place::clearance;
 use super::super::stiffness;
 use super::super::uncertainty;
 use super::super::verdict::{Verdict, percent};
 use super::super::words::{self, fixed};
 use super::RankAnswer;
 use super::notes::MOST_NAMED;
+use stiffarm::clearance::Clearance;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
-use stiffarm::place::Placement;
 use stiffarm::rank::Row;
 use stiffarm::robot::{Robot, Status};
 
@@ -50,23 +49,33 @@ impl RankAnswer {
 
     /// A robot is not to be taken, whatever its deflections: its arm collides, or it carries more than it may.
     pub(in crate::answer) fn is_barred(&self, row: &Row) -> bool {
-        collides(row) || self.carried(&row.robot).is_exceeded()
+        self.collides_somewhere(row) || self.carried(&row.robot).is_exceeded()
+    }
+
+    /// The arm of a row collides at some task.
+    fn collides_somewhere(&self, row: &Row) -> bool {
+        let at = self.at(row);
+        (0..row.cells.len()).any(|task| self.collides(at, task))
     }
 
     /// A robot that is not to be taken, and why.
     fn barred(&self, row: &Row) -> String {
-        let why = [self.carried(&row.robot).exceeded(), collides(row).then(|| "its arm collides".to_owned())];
+        let why =
+            [self.carried(&row.robot).exceeded(), self.collides_somewhere(row).then(|| "its arm collides".to_owned())];
         format!("{} ({})", row.robot.name, why.into_iter().flatten().collect::<Vec<_>>().join("; "))
     }
 
     /// What a robot must do besides, where some robot does not.
     fn clearly(&self) -> &'static str {
         let rows = &self.ranking.rows;
-        match (rows.iter().any(collides), rows.iter().any(|row| self.carried(&row.robot).is_exceeded())) {
+        match (
+            rows.iter().any(|row| self.collides_somewhere(row)),
+            rows.iter().any(|row| self.carried(&row.robot).is_exceeded()),
+        ) {
             (false, false) => "",
-            (true, false) => ", keeps clear",
-            (false, true) => ", carries tool and force",
-            (true, true) => ", keeps clear, carries tool and force",
+            (true, false) => " and keeps clear",
+            (false, true) => " and carries tool and force",
+            (true, true) => ", keeps clear and carries tool and force",
         }
     }
 
@@ -95,13 +104,13 @@ impl RankAnswer {
         }
         let list = |winners: &[(&Row, Vec<usize>)]| {
             let of = |(row, tasks): &(&Row, Vec<usize>)| {
-                let value = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task));
+                let value = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task, 2));
                 let tasks = tasks.iter().map(value).collect::<Vec<_>>().join(", ");
                 format!("{} for {tasks}", with_payload(&row.robot))
             };
             winners.iter().map(of).collect::<Vec<_>>().join("; ")
         };
-        let under = self.under(winners.iter().map(|(row, _)| &row.robot));
+        let under = self.under();
         let collisions = self.collisions(&winners);
         if !collisions.is_empty() {
             return format!(
@@ -171,9 +180,7 @@ impl RankAnswer {
     /// What the arms of some rows overlap with at some tasks.
     fn collisions(&self, rows: &[(&Row, Vec<usize>)]) -> Vec<String> {
         let of = |row: &Row, task: usize| {
-            let best = row.placement(task).filter(|best| best.collides_in_space())?;
-            let asked = (&self.ranking.model, &self.options);
-            let clearance = clearance(&row.robot, asked, &self.ranking.tasks[task], best)?;
+            let clearance = self.clearance(self.at(row), task).filter(Clearance::is_collision)?;
             let by = fixed(-clearance.distance * 1e3, 0);
             let between = words::clearance_between(&clearance);
             Some(format!("{} on {}: by {by} mm, {between}", row.robot.name, self.ranking.tasks[task].label))
@@ -181,8 +188,9 @@ impl RankAnswer {
         rows.iter().flat_map(|(row, tasks)| tasks.iter().filter_map(move |&task| of(row, task))).collect()
     }
 
-    /// Under what the winners win: the force, how stiff the drives are taken to be, and in the arm plane how zones stand.
-    fn under<'a>(&self, robots: impl Iterator<Item = &'a Robot>) -> String {
+    /// Under what the robots are compared: the force, how stiff the drives are taken to be, and in the arm plane how zones stand.
+    fn under(&self) -> String {
+        let robots = self.ranking.rows.iter().map(|row| &row.robot);
         let (acting, drives) = (words::acting(self.ranking.load), stiffness::sources(robots));
         let upright = match self.ranking.model {
             ModelKind::Planar => format!(", zones {}", words::UPRIGHT),
@@ -229,7 +237,8 @@ impl RankAnswer {
             .iter()
             .map(|(row, tasks)| format!("{} for {}", row.robot.full_name(), self.labels(tasks)))
             .collect();
-        (!others.is_empty()).then(|| format!("The planar model alone would take {}.", others.join("; ")))
+        (!others.is_empty())
+            .then(|| format!("The planar model alone, anywhere and without margins, would take {}.", others.join("; ")))
     }
 
     fn by_architecture(&self) -> Option<String> {
@@ -239,7 +248,10 @@ impl RankAnswer {
             let (serial, quasi) = (best(task, Architecture::Serial)?, best(task, Architecture::QuasiSerial)?);
             let show = |row: &Row| {
                 let mark = if row.robot.status == Status::Estimated { "~" } else { "" };
-                format!("{}{mark}", millimetres(row, task))
+                // Two that are distinguished look so.
+                let [two, four] = [2, 4].map(|digits| millimetres(row, task, digits));
+                let others = [serial, quasi].map(|row| millimetres(row, task, 2));
+                format!("{}{mark}", if others[0] == others[1] { four } else { two })
             };
             let is_less = serial.deflection(task) <= quasi.deflection(task);
             let (better, worse) = if is_less { (serial, quasi) } else { (quasi, serial) };
@@ -327,11 +339,6 @@ impl RankAnswer {
     }
 }
 
-/// The arm of a row collides at some task.
-fn collides(row: &Row) -> bool {
-    (0..row.cells.len()).any(|task| row.placement(task).is_some_and(Placement::collides_in_space))
-}
-
 /// The name, and the payload where it is known.
 fn with_payload(robot: &Robot) -> String {
     let payload = robot.payload_kg.map_or_else(String::new, |kg| format!(" (payload {kg} kg)"));
@@ -339,6 +346,6 @@ fn with_payload(robot: &Robot) -> String {
 }
 
 /// Of a row that has a place for the task.
-fn millimetres(row: &Row, task: usize) -> String {
-    row.deflection(task).map_or_else(|| "-".to_owned(), |deflection| fixed(deflection * 1e3, 2))
+fn millimetres(row: &Row, task: usize, digits: usize) -> String {
+    row.deflection(task).map_or_else(|| "-".to_owned(), |deflection| fixed(deflection * 1e3, digits))
 }

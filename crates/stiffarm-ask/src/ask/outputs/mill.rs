@@ -84,7 +84,7 @@ pub(crate) fn check_rewriting(asked: &Request, ending: &str) -> Result<(), AskEr
 
 /// Every roll at places along the path.
 pub(crate) fn rolls(answer: &MillAnswer) -> Result<RollMap, AskError> {
-    let why = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
+    let why = || AskError::Figure(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
     answer.roll_map(MAPPED)?.ok_or_else(why)
 }
 
@@ -92,7 +92,7 @@ impl MillOutput<'_> {
     /// The path as a ribbon at its place, the robot at the worst sample, or where it touches deepest.
     pub(crate) fn in_space(&self) -> Result<View, AskError> {
         let answer = &self.answer;
-        let nothing = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
+        let nothing = || AskError::Figure(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
         let (found, placement) = answer.followed().zip(answer.placement).ok_or_else(nothing)?;
         let failure = |error: ModelError| AskError::Place { robot: answer.robot.name.clone(), error: error.into() };
         let model = Model::spatial(&answer.robot, &answer.flange_from_tool).map_err(failure)?;

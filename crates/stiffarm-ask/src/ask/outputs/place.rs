@@ -98,7 +98,7 @@ impl PlaceOutput {
             (_, Placed::Infeasible { reason, is_proved, .. }) => {
                 let proof = if *is_proved { "; it is proved that there is none" } else { "" };
                 let why = format!("{}: no place for {} to draw: {reason}{proof}", robot.name, task.label);
-                Err(AskError::Usage(why))
+                Err(AskError::Figure(why))
             }
         }
     }

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
-use stiffarm::place::{PlaceOptions, Placement};
+use stiffarm::place::PlaceOptions;
 use stiffarm::rank::{Ranking, curves};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
@@ -108,9 +108,7 @@ impl RankOutput<'_> {
                 .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.median, spread.p95].map(mm)))
                 .collect(),
             verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::in_words)).collect(),
-            collides: (0..tasks.len())
-                .map(|task| row.placement(task).is_some_and(Placement::collides_in_space))
-                .collect(),
+            collides: (0..tasks.len()).map(|task| self.answer.collides(at, task)).collect(),
         });
         BarsFigure {
             title: format!("Worst deflection inside each flat zone at its best place, {}{first}", words::loaded(*load)),

@@ -5,7 +5,7 @@ use super::said::{figure_size, repeated};
 use crate::answer::CalibrateAnswer;
 use crate::error::AskError;
 use crate::figures::{FigureSize, calibrate as figure};
-use crate::report::robots::provenance_of;
+use crate::report::robots::drawing_of;
 use crate::report::{Block, Report, Section};
 use crate::request::Request;
 
@@ -35,11 +35,14 @@ pub(crate) fn of(
     }
     let mut file = Section::new("Robot file with the calibration").on_new_page();
     file.blocks.push(Block::Code(answer.robot_file()));
-    let mut provenance = provenance_of(&answer.robot);
+    let mut provenance = drawing_of(&answer.robot);
     provenance.text("The calibration takes these lengths as the drawing from which the arm differs.");
     Ok(Report {
         title: format!("Calibration of {}", answer.robot.full_name()),
-        asked: format!("Calibrated from {}, measured {}", answer.data, answer.date),
+        asked: match asked.date() {
+            Some(date) => format!("Calibrated from {}, measured {date}", answer.data),
+            None => format!("Calibrated from {}; when it was measured is not said (--date)", answer.data),
+        },
         headline: answer.headline(),
         sections: vec![decided, wrong, file, provenance, repeated(asked, inputs)?],
     })

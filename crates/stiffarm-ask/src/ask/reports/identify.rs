@@ -5,7 +5,7 @@ use super::said::{figure_size, repeated};
 use crate::answer::IdentifyAnswer;
 use crate::error::AskError;
 use crate::figures::{FigureSize, identify as figure};
-use crate::report::robots::provenance_of;
+use crate::report::robots::drawing_of;
 use crate::report::{Block, Report, Section};
 use crate::request::Request;
 
@@ -39,7 +39,7 @@ pub(crate) fn of(
         Some(text) => file.blocks.push(Block::Code(text)),
         None => file.text("No drive is identified, so that there is none."),
     }
-    let mut provenance = provenance_of(&answer.before);
+    let mut provenance = drawing_of(&answer.before);
     provenance.text("The identification takes lengths and limits as they are.");
     let date = answer.date.as_ref().map_or_else(String::new, |date| format!(", measured {date}"));
     Ok(Report {
