@@ -592,7 +592,7 @@ fn answers_in_space_come_as_figures_pages_and_typed_columns() {
     assert!(refused(&["map", "BT200L", "--model", "spatial", "--posture", "up"]).1.contains("front,up,no-flip"));
     let (code, errors) =
         refused(&["place", "TX40", "--task", "circle:3", "--model", "spatial", "-o", &path(&folder, "none.svg")]);
-    assert!(code == 2 && errors.contains("no place"), "{errors}");
+    assert!(code == 1 && errors.contains("no place"), "{errors}");
     assert!(!Path::new(&path(&folder, "none.svg")).exists());
 }
 

@@ -207,7 +207,9 @@ pub fn doubts(robot: &Robot, joints_deg: &[[f64; 6]]) -> Vec<String> {
         );
     }
     for q in joints_deg {
-        beyond_limits(robot, &q.map(f64::to_radians)).into_iter().for_each(|joint| beyond[joint] += 1);
+        for joint in beyond_limits(robot, &q.map(f64::to_radians)) {
+            beyond[joint] += 1;
+        }
     }
     for (joint, count) in beyond.into_iter().enumerate().filter(|(_, count)| 0 < *count) {
         let (which, all) = (words::limited(joint), joints_deg.len());

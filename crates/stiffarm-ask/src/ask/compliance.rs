@@ -32,7 +32,9 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ComplianceOutp
 
 /// Says beside the answer what looks wrong about the joint angles.
 pub(crate) fn remarks(robot: &Robot, q: &[f64; 6], context: Context) {
-    doubts(robot, &[*q]).iter().for_each(|doubt| context.listener.remark(doubt));
+    for doubt in doubts(robot, &[*q]) {
+        context.listener.remark(&doubt);
+    }
 }
 
 /// How long a force is drawn, m.

@@ -25,7 +25,7 @@ fn geometry(robot: &Robot) -> Table {
 
 /// The drawing of a robot whose drives or errors are found, as a section.
 pub(crate) fn drawing_of(robot: &Robot) -> Section {
-    let mut section = Section::new("Where the drawing comes from");
+    let mut section = Section::new("Where the numbers come from");
     section.notes(statuses(std::iter::once(robot)).lines());
     section.heading(robot.full_name());
     section.table(geometry(robot));

@@ -1655,8 +1655,9 @@ class PlacedInRanking(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2036,8 +2037,9 @@ class PathRankingRow(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2320,8 +2322,9 @@ class Placed(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2548,8 +2551,9 @@ class CompensatedPath(TypedDict):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2763,8 +2767,9 @@ class MilledDict(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2978,8 +2983,9 @@ class MilledWithTool(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -3051,8 +3057,9 @@ class MilledByToolDict(_Pass):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an

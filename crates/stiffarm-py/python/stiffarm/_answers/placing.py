@@ -246,8 +246,9 @@ class Placement(Table[types.PlacementDict]):
 
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
-    kept so (of `mill` also where the geometry of an arm that was not calibrated errs by more than the
-    tolerance), else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+    kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
+    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
+    of the elastic deflection of the drives under the mean force and of nothing else."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
