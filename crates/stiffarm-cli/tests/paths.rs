@@ -388,6 +388,54 @@ fn a_force_that_was_measured_acts_along_the_path() {
     assert!(refused.contains("forces.csv:3: f_feed_n: inf; expected a number of at most 100000"), "{refused}");
 }
 
+/// A path may say what acts: then nothing else is told to act, and what it says of a cut is looked at or said not to be.
+#[test]
+fn forces_and_cuts_that_a_path_says_are_those_that_are_told() {
+    let folder = TempDir::new().unwrap();
+    let put = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let mill = |path: &str, more: &[&str]| {
+        let asked = ["mill", path, "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--at", "1.7,0,0.8"];
+        let found = stiffarm(folder.path(), &[&asked[..], more].concat());
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+        (found.status.code().unwrap(), text(found.stdout) + &text(found.stderr))
+    };
+    put("forces.csv", "x_mm,y_mm,z_mm,fx_n,fy_n,fz_n\n0,0,0,100,10,5\n0,10,0,100,10,5\n");
+    let (code, own) = mill("forces.csv", &[]);
+    assert!(code == 0 && own.contains("force on the tool as the path gives it (fx_n, fy_n, fz_n)"), "{own}");
+    let (code, refused) = mill("forces.csv", &["--force-n", "1,2,3"]);
+    assert!(code == 2 && refused.contains("acts nowhere: every feed move of the path has its own force"), "{refused}");
+    // The same by hand: fed along y, x is to the right.
+    put("plain.csv", "x_mm,y_mm,z_mm\n0,0,0\n0,10,0\n");
+    let error = |text: &str| text.split_once("largest error ").unwrap().1.split_once(" mm").unwrap().0.to_owned();
+    assert_eq!(error(&own), error(&mill("plain.csv", &["--force-n", "10,-100,5"]).1));
+    let tool = "spindle_rpm = 12000\n[tool]\ndiameter_mm = 16\nteeth = 4\nflute_mm = 20\nshank_mm = 15\n[material]\npreset = \"al7075-t6\"\n\
+        [engagement]\nap_mm = 2\nae_mm = 4\nside = \"up\"\nfeed_per_tooth_mm = 0.1\n";
+    put("mill.toml", tool);
+    put("cuts.csv", "x_mm,y_mm,z_mm,ap_mm,ae_mm\n0,0,0,3,4\n10,0,0,3,40\n");
+    let (code, wide) = mill("cuts.csv", &["--process", "mill.toml"]);
+    assert!(code == 1 && wide.contains("cuts.csv: line 3: ae_mm of 40; expected no more than the diameter"), "{wide}");
+    let (_, given) = mill("cuts.csv", &["--force-n", "1,2,3"]);
+    assert!(given.contains("ap_mm and ae_mm of the path are not looked at: the force is given as such"), "{given}");
+    // The chip is that of the path's own speed: 2400 mm/min at 6000 rpm are 0.1 mm a tooth, 1200 at 500 rpm 0.6 mm.
+    let fed = |words: &str| format!("G21 G90 G94\nT1 M6\n{words}\nG0 X-30.0 Y0.0 Z20.0\nG0 Z-3.0\nG1 X30.\nM30\n");
+    put("as_meant.nc", &fed("S6000 M3 F2400"));
+    put("gentler.nc", &fed("S500 M3 F1200"));
+    let (_, meant) = mill("as_meant.nc", &["--process", "mill.toml"]);
+    assert!(!meant.contains("mm a tooth where") && meant.contains("turns the spindle at 6000 rpm"), "{meant}");
+    let (_, more) = mill("gentler.nc", &["--process", "mill.toml"]);
+    assert!(more.contains("the path feeds 0.6 mm a tooth where the process means 0.1"), "{more}");
+    // Deeper than the flutes, and what another tool has cut.
+    let two = "G21 G90 G94\nT1 M6\nS12000 M3\nG0 X-30. Y0. Z20.\nG0 Z-30.\nG1 X60. F4800\nG0 Z20.\nT2 M6\nG0 X-30. Y0.\nG0 Z-30.\nG1 X60. F1800\nM30\n";
+    put("two.nc", two);
+    let stock = ["--process", "mill.toml", "--stock-mm=0..40,-30..30,-80..0", "--only-tool", "2"];
+    let (code, deep) = mill("two.nc", &stock);
+    assert!(code == 0 && deep.contains("DEEPER THAN THE FLUTES") && deep.contains("up to 30.0 mm deep"), "{deep}");
+    assert!(
+        deep.contains("MORE MATERIAL: what the other tools of the path cut before is still in the block"),
+        "{deep}"
+    );
+}
+
 /// What the pendant of a GP200R shows is not known: its description turns joint 6 otherwise than the maker's other arms.
 #[test]
 fn no_program_has_joints_of_a_robot_whose_pendant_is_not_known_until_somebody_vouches_for_it() {

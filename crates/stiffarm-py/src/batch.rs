@@ -33,10 +33,10 @@ pub(crate) fn worst<'py>(
     let asked = asked.of(Verb::Compliance)?;
     let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.tool_pose().tool());
     let joints_deg = rows(&joints_deg)?;
-    said(py, &doubts(robot, joints_deg))?;
     let mut found = vec![0.0; joints_deg.len()];
     detached(py, &progress, |watch| worst_um_per_n(robot, &tool, joints_deg, &mut found, watch))?
         .map_err(|error| refused(format!("{}: {error}", robot.name)))?;
+    said(py, &doubts(robot, joints_deg))?;
     Ok(PyArray1::from_vec(py, found))
 }
 

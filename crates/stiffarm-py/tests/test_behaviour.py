@@ -33,6 +33,7 @@ def answers():
     ]
 
 
+@pytest.mark.filterwarnings("ignore:joint .* beyond its limits", "ignore:the angle between")
 def test_answers_can_be_pickled_copied_and_compared():
     first, again = answers(), answers()
     for i, (answer, same) in enumerate(zip(first, again)):
@@ -57,6 +58,7 @@ def test_robots_can_be_pickled_compared_and_hashed():
     assert type(error) is StiffarmError and str(error) == "words"
 
 
+@pytest.mark.filterwarnings("ignore:joint .* beyond its limits", "ignore:the angle between")
 def test_tables_go_to_pandas_and_polars():
     for answer in answers()[1:]:
         frame, other = answer.to_pandas(), answer.to_polars()
@@ -73,6 +75,7 @@ def test_tables_go_to_pandas_and_polars():
     assert section.to_polars()["deflection_mm"].null_count() == np.isnan(section.values_mm).sum()
 
 
+@pytest.mark.filterwarnings("ignore:joint .* beyond its limits", "ignore:the angle between")
 def test_the_interpreter_goes_on_while_a_long_call_runs():
     joints = np.random.default_rng(1).uniform(-90, 90, (400_000, 6))
     stiffarm.set_threads(1)
@@ -164,6 +167,7 @@ def test_other_processes_work_after_threads_were_used(how):
             assert pool.map_async(_placed, [1.0, 1.5]).get(timeout=60) == expected
 
 
+@pytest.mark.filterwarnings("ignore:joint .* beyond its limits", "ignore:the angle between")
 def test_the_number_of_threads_changes_no_number():
     joints = np.random.default_rng(2).uniform(-90, 90, (5001, 6))
     expected = stiffarm.compliance(ROBOT, joints_deg=joints)

@@ -135,6 +135,10 @@ def test_what_is_odd_about_a_posture_is_said():
         stiffarm.compliance(KUKA, joints_deg=(0, -1.5, 1.5, 0, 1, 0))  # beyond its limits, too
     with pytest.warns(UserWarning, match="beyond its limits"):
         stiffarm.compliance(KUKA, joints_deg=(0, -90, 90, 0, 300, 0))
+    with pytest.warns(UserWarning, match="no joint angle is beyond 6.3 deg"):
+        stiffarm.compliance(KUKA, joints_deg=[(0, -1.5, 1.5, 0, 1, 0)] * 3)
+    with pytest.warns(UserWarning, match="joint 5 is beyond its limits at 2 of 3 postures"):
+        stiffarm.compliance(KUKA, joints_deg=[(0, -90, 90, 0, 300, 0)] * 2 + [(0, -90, 90, 0, 30, 0)])
 
 
 def test_a_report_says_what_no_file_holds(tmp_path):

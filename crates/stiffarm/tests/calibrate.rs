@@ -203,6 +203,27 @@ fn a_table_that_is_wrong_as_a_whole_is_refused_with_what_is_the_matter() {
     assert!(read(&metres, "points.csv", &ReadOptions::default()).unwrap_err().to_string().contains("metres"));
 }
 
+/// A point that is there twice counts twice, and a stand of its own for every row explains any table.
+#[test]
+fn a_point_that_is_there_twice_and_a_stand_per_row_are_refused() {
+    let robot = robot();
+    let mut rng = fastrand::Rng::with_seed(5);
+    let text = table(&robot, &Errors::NONE, &mut rng, (12, 0.8));
+    let with = |of_row: &dyn Fn(usize, &[&str]) -> String| -> String {
+        text.lines().enumerate().map(|(i, line)| of_row(i, &line.split(',').collect::<Vec<_>>()) + "\n").collect()
+    };
+    let twice = with(&|i, cells| {
+        let copied = if i == 0 { &cells[12..] } else { &cells[6..9] };
+        [&cells[..12], copied].concat().join(",")
+    });
+    assert_eq!(asked(&robot, &twice).unwrap_err(), CalibrateError::Twice(1, 3));
+    let stands = with(&|i, cells| format!("{},{}", cells.join(","), if i == 0 { "st".into() } else { i.to_string() }));
+    let by_row = ReadOptions { frame_by: Some("st".into()), ..ReadOptions::default() };
+    let readings = read(&stands, "points.csv", &by_row).unwrap_or_else(|faults| panic!("{faults}"));
+    let refused = calibrate(&robot, &readings, &CalibrateOptions::default(), Watch::nobody()).unwrap_err();
+    assert_eq!(refused, CalibrateError::TooManyStands { stands: 12, rows: 12 });
+}
+
 #[test]
 fn points_of_one_line_do_not_tell_where_the_tracker_is() {
     let robot = robot();

@@ -376,6 +376,34 @@ fn a_table_without_modes_decides_nothing_of_short_cuts() {
         short.engagement = stiffarm::cutting::Engagement::at_depth(depth, [PI / 2.0, PI], 1e-4);
         let answer = found(&arm, &short, 4000.0, (along_y(), &tip));
         assert!(answer.may_mislead());
-        assert_eq!(answer.verdict(), Verdict::NotDecided);
+        assert_eq!((answer.verdict(), answer.calm_speeds()), (Verdict::NotDecided, None));
     }
+}
+
+/// One mode pushes with `u u^T`: `gxy` is the root of `gxx gyy` at most. Thirty times that is another unit, and so is a mode of a thousand tons.
+#[test]
+fn tables_in_another_unit_are_refused() {
+    const FOUR: &[&str] = &["gxx_re", "gxx_im", "gyy_re", "gyy_im", "gxy_re", "gxy_im"];
+    let modes = [
+        MeasuredMode { frequency: 300.0, ratio: 0.25, stiffness: 2e7, direction: [0.9, 0.4, 0.0] },
+        MeasuredMode { frequency: 420.0, ratio: 0.25, stiffness: 3e7, direction: [-0.4, 0.9, 0.0] },
+    ];
+    let crossed = |times: f64| {
+        table(20.0, FOUR, |hertz| {
+            let mut found = receptance(&modes, hertz);
+            [(0, 1), (1, 0)].into_iter().for_each(|at| found[at] *= Complex::new(times, 0.0));
+            found
+        })
+    };
+    let read = |text: &str| read_response(text, "tip.csv", HeldBy::Rigid);
+    assert!(read(&crossed(1.0)).is_ok());
+    let error = read(&crossed(30.0)).unwrap_err().to_string();
+    assert!(
+        error.contains("tip.csv:1: gxy_im: ") && error.contains("times what gxx and gyy allow at its peak"),
+        "{error}"
+    );
+    let kilohertz = "freq_hz,damping_ratio,stiffness_n_per_m,ux,uy,uz\n0.612,0.03,2.2e7,1,0,0\n";
+    // 2.2e7 / (2 pi 0.612)^2 kg.
+    let error = read(kilohertz).unwrap_err().to_string();
+    assert!(error.contains("tip.csv:2: freq_hz: 0.612 Hz with 2.2e7 N/m is a mass of 1487853 kg"), "{error}");
 }

@@ -332,7 +332,11 @@ fn forcing(
     }
     let mut feeds = moves.iter().filter(|one| one.kind == MoveKind::Feed).peekable();
     let asked_for = asked.acting()?;
-    if asked_for.is_none() && feeds.peek().is_some() && feeds.all(|one| one.given.force.is_some()) {
+    if feeds.peek().is_some() && feeds.all(|one| one.given.force.is_some()) {
+        if asked_for.is_some() {
+            let why = "acts nowhere: every feed move of the path has its own force (fx_n, fy_n, fz_n); leave out the one or the other";
+            return Err(asked.refused(opt::FORCE_N, why.into()).into());
+        }
         // None of it acts anywhere.
         return Ok((Forcing::Same(Acting::Any(0.0)), "as the path gives it (fx_n, fy_n, fz_n)".into(), Vec::new()));
     }
