@@ -391,7 +391,9 @@ fn tables_in_another_unit_are_refused() {
     let crossed = |times: f64| {
         table(20.0, FOUR, |hertz| {
             let mut found = receptance(&modes, hertz);
-            [(0, 1), (1, 0)].into_iter().for_each(|at| found[at] *= Complex::new(times, 0.0));
+            for at in [(0, 1), (1, 0)] {
+                found[at] *= Complex::new(times, 0.0);
+            }
             found
         })
     };
