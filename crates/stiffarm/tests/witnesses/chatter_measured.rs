@@ -6,8 +6,8 @@ use std::fmt::Write;
 use nalgebra::{Complex, Matrix3, Vector3};
 use stiffarm::catalogue::find;
 use stiffarm::chatter::{
-    Asked, Chatter, ChatterError, HeldBy, MeasuredMode, MeasuredTip, Method, Response, Samples, Verdict, axes, by_mean,
-    chatter, read_response,
+    Asked, ByMean, Chatter, ChatterError, Cut, HeldBy, MeasuredMode, MeasuredTip, Method, Response, Samples, Verdict,
+    axes, by_mean, chatter, read_response,
 };
 use stiffarm::cutting::{Law, Milling, Process};
 use stiffarm::modes::{Damping, HeldTool, modes};
@@ -203,8 +203,18 @@ fn without_modes_teeth_are_not_counted_one_by_one() {
     assert_eq!((answer.method, answer.may_mislead()), (Method::Mean, true));
     let answer = of(Response::of_modes(&SPINDLE), None).unwrap();
     assert_eq!((answer.method, answer.may_mislead()), (Method::Teeth, false));
+    // However slowly teeth pass, and however many steps it would take to follow the fastest mode.
+    let tip = MeasuredTip { held_by: HeldBy::Rigid, response: Response::of_modes(&SPINDLE) };
+    let slow = found(&arm, &short, 1000.0, (along_y(), &tip));
+    let by_mean = chatter_by_mean(&arm, &process(&short, 1000.0), &ask(along_y(), Some(&tip)));
+    let [teeth, mean] = [slow.at_speed.unwrap().depth, by_mean.edge.unwrap().depth];
+    assert!(slow.method == Method::Teeth && by_mean.misleads && 0.1 < (mean / teeth).ln().abs(), "{teeth} {mean}");
     let wide = found(&arm, &slot(), 9000.0, (along_y(), &MeasuredTip { held_by: HeldBy::Rigid, response: samples() }));
     assert!(!wide.may_mislead());
+}
+
+fn chatter_by_mean((robot, tool, q): &(Robot, HeldTool, [f64; 6]), process: &Process, asked: &Asked) -> ByMean {
+    by_mean(robot, q, tool, &Cut::of(process).unwrap(), asked).unwrap()
 }
 
 fn table(step: f64, columns: &[&str], of: impl Fn(f64) -> Matrix3<Complex<f64>>) -> String {
