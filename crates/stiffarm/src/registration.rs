@@ -74,6 +74,12 @@ impl Linear {
         self.of.iter().enumerate().filter_map(|(block, point)| Some((3 * block, (*point)?)))
     }
 
+    /// How far unknowns with a covariance leave the points open: the sum of the variances of their coordinates.
+    pub(crate) fn open(&self, covariance: &DMatrix<f64>) -> f64 {
+        let spread = &self.jacobian * covariance;
+        self.points().map(|(at, _)| spread.rows(at, 3).dot(&self.jacobian.rows(at, 3))).sum()
+    }
+
     /// The sum of the weights of the points.
     pub(crate) fn point_weight(&self) -> f64 {
         self.points().map(|(at, _)| self.weight[at]).sum()

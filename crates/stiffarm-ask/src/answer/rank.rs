@@ -4,6 +4,8 @@ mod notes;
 mod robots;
 mod sentences;
 
+use std::sync::OnceLock;
+
 use serde_json::{Value, json};
 
 use super::payload::{Carried, FlangeLoad};
@@ -38,7 +40,7 @@ pub struct RankAnswer {
     /// Where the deflection of every row at every task lies, and how likely it keeps the tolerance.
     known: Vec<Vec<Option<Known>>>,
     /// How near the arm of every row comes to anything at its place for every task.
-    clearances: Vec<Vec<Option<Clearance>>>,
+    clearances: OnceLock<Vec<Vec<Option<Clearance>>>>,
 }
 
 /// Who is best at a task.
@@ -62,13 +64,7 @@ impl RankAnswer {
         let drawn = drawn_in(&ranking);
         let known = |of_task: Option<Vec<f64>>| of_task.map(|draws| Known::of(draws, tolerance_mm));
         let judged = drawn.iter().map(|of_row| of_row.iter().cloned().map(known).collect()).collect();
-        let clear = |row: &Row| {
-            let of_task = |(cell, task): (usize, &Task)| {
-                clearance(&row.robot, (&ranking.model, &options), task, row.placement(cell)?)
-            };
-            ranking.tasks.iter().enumerate().map(of_task).collect()
-        };
-        let clearances = ranking.rows.iter().map(clear).collect();
+        let clearances = OnceLock::new();
         let mut answer =
             Self { ranking, options, tolerance_mm, advice, chances: Vec::new(), known: judged, clearances };
         // Who is not to be taken wins nothing, and ties with nobody.
@@ -100,14 +96,22 @@ impl RankAnswer {
         rivals.into_iter().filter(|row| !self.is_barred(row)).collect()
     }
 
-    /// How near the arm of a row comes to anything at its place for a task.
+    /// How near the arm of a row comes to anything at its place for a task. In the plane that takes longer than the place: all are looked at
+    /// once, where somebody asks.
     pub(super) fn clearance(&self, at: usize, task: usize) -> Option<Clearance> {
-        self.clearances[at][task]
+        let clear = |row: &Row| {
+            let of_task = |(cell, task): (usize, &Task)| {
+                clearance(&row.robot, (&self.ranking.model, &self.options), task, row.placement(cell)?)
+            };
+            self.ranking.tasks.iter().enumerate().map(of_task).collect()
+        };
+        self.clearances.get_or_init(|| self.ranking.rows.iter().map(clear).collect())[at][task]
     }
 
-    /// The arm of a row collides at its place for a task.
+    /// The arm of a row collides at its place for a task; never in the plane, which has no wrist.
     pub fn collides(&self, at: usize, task: usize) -> bool {
-        self.clearance(at, task).is_some_and(|clearance| clearance.is_collision())
+        let in_space = self.ranking.rows[at].placement(task).and_then(|best| best.clearance_in_space);
+        in_space.is_some_and(|clearance| clearance.is_collision())
     }
 
     /// Where a row of the ranking stands in it.
@@ -120,8 +124,9 @@ impl RankAnswer {
     pub fn verdict(&self, at: usize, task: usize) -> Option<Verdict> {
         let deflection = self.ranking.rows[at].deflection(task)?;
         let holds = self.known[at][task].and_then(|known| known.holds);
+        let verdict = Verdict::of(deflection, self.tolerance_mm?).with(holds);
         let is_of_drives_alone = self.clearance(at, task).is_some_and(|clearance| clearance.may_collide());
-        Some(Verdict { is_of_drives_alone, ..Verdict::of(deflection, self.tolerance_mm?).with(holds) })
+        Some(Verdict { is_of_drives_alone, ..verdict })
     }
 
     /// Of some robot something states the uncertainty of its drive stiffness.

@@ -141,11 +141,14 @@ impl Rows<'_> {
     pub(super) fn left(&self, rows: &[Linear], state: &State, given: Given) -> Option<f64> {
         let (h, _) = self.normal(rows.iter(), state, given);
         let covariance = h.cholesky()?.inverse();
+        if given.common == 0.0 {
+            let shown: f64 = shares(&covariance, given).iter().sum();
+            return Some(self.spare(rows, shown) / coordinates(rows) as f64);
+        }
         let (mut taken, mut count) = (0.0, 0_usize);
-        for (row, (at, _)) in rows.iter().flat_map(|row| row.points().map(move |point| (row, point))) {
-            let moved = row.jacobian.rows(at, 3);
-            taken += (moved * &covariance).dot(&moved);
-            count += 3;
+        for row in rows {
+            taken += row.open(&covariance);
+            count += 3 * row.points().count();
         }
         Some((1.0 - taken / (count as f64 * (1.0 + given.common))).max(1.0 / count as f64))
     }
@@ -170,19 +173,17 @@ impl Rows<'_> {
             let inverse = h.clone().cholesky()?.inverse();
             let share = shares(&inverse, given);
             let shown: f64 = share.iter().sum();
-            let squares: f64 = rows.iter().map(|row| row.squares(common)).sum();
             let spare = self.spare(&rows, shown);
-            let next_noise = (squares / spare).sqrt().max(LEAST_NOISE);
+            let (next_noise, next_common) = Shared::of(&rows, &inverse).settled(spare, given);
             let frames: f64 = state.parameters[..FRAMES].iter().map(|x| x * x).sum();
             let seen: f64 = share[..FRAMES].iter().sum();
             let next_scale = if seen < 1e-3 { scale } else { (frames / seen).sqrt().clamp(SCALES[0], SCALES[1]) };
-            let next_common = shared(&rows, &inverse, given);
             round += 1;
             let is_settled = (next_noise / noise - 1.0).abs() < SETTLED
                 && (next_scale / scale - 1.0).abs() < SETTLED
                 && (next_common - common).abs() < SETTLED * (1.0 + common);
             if is_settled || round == ROUNDS {
-                let evidence = evidence(&h, (&state, given), (squares, &rows));
+                let evidence = evidence(&h, (&state, given), &rows);
                 return Some(Fitted { level, state, rows, noise, common, spare, seen, prior, evidence, shown, share });
             }
             (noise, scale, common) = (next_noise, next_scale, next_common);
@@ -199,24 +200,58 @@ fn shares(inverse: &DMatrix<f64>, Given { prior, noise, .. }: Given) -> Vec<f64>
     prior.iter().enumerate().map(share).collect()
 }
 
-/// The next round's variance that points of a posture share, in parts of that of a reading: of how far each posture stands beside where it
-/// should, the squares over how many of these coordinates the data show.
-fn shared(rows: &[Linear], inverse: &DMatrix<f64>, Given { noise, common, .. }: Given) -> f64 {
-    /// More tells readings apart from nothing.
-    const MOST: f64 = 1e6;
-    if common == 0.0 {
-        return 0.0;
+/// What rows tell of noise and of what points of a posture share.
+struct Shared {
+    /// Of each row: the sum of the weights `S`, the square of `sum w r`, and how far the unknowns leave that open, in parts of the noise's
+    /// variance.
+    rows: Vec<[f64; 3]>,
+    /// `sum w r^2` of all.
+    squares: f64,
+}
+
+impl Shared {
+    /// Of rows about a state, with the inverse of `H`.
+    fn of(rows: &[Linear], inverse: &DMatrix<f64>) -> Self {
+        let of_row = |row: &Linear| {
+            let residual = DMatrix::from_column_slice(row.residual.len(), 1, row.residual.as_slice());
+            let moved = row.summed(&row.jacobian);
+            [row.point_weight(), row.summed(&residual).norm_squared(), (&moved * inverse).dot(&moved)]
+        };
+        Self { rows: rows.iter().map(of_row).collect(), squares: rows.iter().map(|row| row.squares(0.0)).sum() }
     }
-    let (mut squares, mut shown) = (0.0, 0.0);
-    for row in rows {
-        let k = row.shared(common);
-        let residual = DMatrix::from_column_slice(row.residual.len(), 1, row.residual.as_slice());
-        let moved = row.summed(&row.jacobian) * k;
-        squares += (row.summed(&residual) * (k / noise)).norm_squared();
-        let unsure = 3.0 * common / (1.0 + common * row.point_weight()) + (&moved * inverse).dot(&moved);
-        shown += 3.0 - unsure / common;
+
+    /// Noise and shared variance at the fixed point of their evidence (MacKay), as far as rows and unknowns stay as they are: of how far each
+    /// posture stands beside where it should, `k sum w r`, the squares over how many of these coordinates the rows show.
+    fn settled(&self, spare: f64, Given { mut common, .. }: Given) -> (f64, f64) {
+        const ROUNDS: usize = 200;
+        const SETTLED: f64 = 1e-5;
+        /// Beside readings that do not err nothing more is told.
+        const MOST: f64 = 1e6;
+        let mut noise;
+        let mut round = 0;
+        loop {
+            let shared = |weight: f64| common / (1.0 + common * weight);
+            let explained: f64 = self.rows.iter().map(|[weight, square, _]| shared(*weight) * square).sum();
+            noise = ((self.squares - explained) / spare).sqrt().max(LEAST_NOISE);
+            round += 1;
+            if common == 0.0 || round == ROUNDS {
+                break;
+            }
+            let (mut squares, mut shown) = (0.0, 0.0);
+            for [weight, square, open] in &self.rows {
+                let k = shared(*weight);
+                squares += k * k * square / (noise * noise);
+                shown += 3.0 - 3.0 / (1.0 + common * weight) - k * k * open / common;
+            }
+            let next = (squares / shown.max(f64::MIN_POSITIVE)).min(MOST);
+            let is_settled = (next - common).abs() < SETTLED * (1.0 + common);
+            common = next;
+            if is_settled {
+                break;
+            }
+        }
+        (noise, common)
     }
-    (squares / shown.max(f64::MIN_POSITIVE)).min(MOST)
 }
 
 fn coordinates(rows: &[Linear]) -> usize {
@@ -232,8 +267,9 @@ impl Given<'_> {
 }
 
 /// `-1/2 [ r' C^-1 r / s^2 + sum x^2 / tau^2 + N ln s^2 + ln det C + sum ln tau^2 + ln det (H / s^2) ]` (Laplace), what is held left out.
-fn evidence(h: &DMatrix<f64>, (state, given): (&State, Given), (squares, rows): (f64, &[Linear])) -> f64 {
+fn evidence(h: &DMatrix<f64>, (state, given): (&State, Given), rows: &[Linear]) -> f64 {
     let (count, Given { prior, noise, common }) = (coordinates(rows), given);
+    let squares: f64 = rows.iter().map(|row| row.squares(common)).sum();
     let of_row = |row: &Linear| {
         3.0 * (common * row.point_weight()).ln_1p() - row.weight.iter().map(|weight| weight.ln()).sum::<f64>()
     };

@@ -35,10 +35,10 @@ pub(super) fn left_out(rows: &Rows, fitted: &Fitted) -> Option<LeftOut> {
     let (mut squares, mut expected, mut count) = (0.0, 0.0, 0_usize);
     for Third { rows, step, covariance } in thirds(rows, fitted) {
         for row in rows {
+            expected += row.open(&covariance);
             for (at, _) in row.points() {
-                let moved = row.jacobian.rows(at, 3);
-                squares += (row.residual.rows(at, 3) - moved * &step).norm_squared();
-                expected += 3.0 * (1.0 + fitted.common) + (moved * &covariance).dot(&moved);
+                squares += (row.residual.rows(at, 3) - row.jacobian.rows(at, 3) * &step).norm_squared();
+                expected += 3.0 * (1.0 + fitted.common);
                 count += 1;
             }
         }

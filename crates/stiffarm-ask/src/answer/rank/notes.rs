@@ -138,8 +138,11 @@ impl RankAnswer {
         })
     }
 
-    /// Names the places in space where the arm overlaps with something.
+    /// Names the places where the arm overlaps with something; nothing where no floor is known in the plane, as in the paper's convention.
     fn colliding(&self) -> String {
+        if self.ranking.in_plane.is_none() && self.options.margins.floor.is_none() {
+            return String::new();
+        }
         let where_it = |is: fn(&Clearance) -> bool| {
             self.named(|row, task, _| self.clearance(self.at(row), task).is_some_and(|clearance| is(&clearance)))
         };
