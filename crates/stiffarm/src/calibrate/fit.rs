@@ -220,7 +220,7 @@ impl Shared {
         Self { rows: rows.iter().map(of_row).collect(), squares: rows.iter().map(|row| row.squares(0.0)).sum() }
     }
 
-    /// Noise and shared variance at the fixed point of their evidence (MacKay), as far as rows and unknowns stay as they are: of how far each
+    /// Noise and shared variance at the fixed point of their evidence, as far as rows and unknowns stay as they are: of how far each
     /// posture stands beside where it should, `k sum w r`, the squares over how many of these coordinates the rows show.
     fn settled(&self, spare: f64, Given { mut common, .. }: Given) -> (f64, f64) {
         const ROUNDS: usize = 200;
