@@ -434,6 +434,8 @@ fn forces_and_cuts_that_a_path_says_are_those_that_are_told() {
         deep.contains("MORE MATERIAL: what the other tools of the path cut before is still in the block"),
         "{deep}"
     );
+    let (code, first) = mill("two.nc", &[&stock[..4], &["1"]].concat());
+    assert!(code == 0 && !first.contains("MORE MATERIAL"), "{first}");
 }
 
 /// What the pendant of a GP200R shows is not known: its description turns joint 6 otherwise than the maker's other arms.

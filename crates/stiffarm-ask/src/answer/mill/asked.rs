@@ -44,11 +44,11 @@ impl MillAnswer {
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let all = moves.into();
-        let has_others = 1 < surveyed(asked, all.iter()).tools.len();
+        let is_cut_before = asked.only_tool().is_some_and(|number| others_cut_before(&all, number));
         let moves = of_one_tool(asked, all)?;
         let tool = surveyed(asked, moves.iter()).tools.first().and_then(|(tool, _)| *tool);
         let mut found = Self::with(asked, robot, (path, moves), Tooled { tool, beside: beside.into() }, watch)?;
-        found.remarks.extend((has_others && asked.stock().is_some()).then(|| {
+        found.remarks.extend((is_cut_before && asked.stock().is_some()).then(|| {
             "MORE MATERIAL: what the other tools of the path cut before is still in the block, so that the force is that of full material; a stock that is as they leave it tells more"
                 .to_owned()
         }));
@@ -229,6 +229,12 @@ fn surveyed<'a>(asked: &Request, moves: impl IntoIterator<Item = &'a Move>) -> S
     let mut survey = Survey::new(asked.steps());
     moves.into_iter().for_each(|one| survey.add(one));
     survey
+}
+
+/// Another tool feeds before this one does.
+fn others_cut_before(moves: &[Move], number: u32) -> bool {
+    let mut feeds = moves.iter().filter(|one| one.kind == MoveKind::Feed).map(|one| one.given.tool);
+    feeds.by_ref().any(|tool| tool != Some(number)) && feeds.any(|tool| tool == Some(number))
 }
 
 /// The moves of the tool that is meant; of a path with several tools one must be.
