@@ -1,5 +1,6 @@
 //! How is a ranking reported?
 
+mod collisions;
 mod notes;
 mod robots;
 mod sentences;
@@ -9,7 +10,7 @@ use std::sync::OnceLock;
 use serde_json::{Value, json};
 
 use super::payload::{Carried, FlangeLoad};
-use super::place::{clearance, put_advice, put_placement};
+use super::place::{put_advice, put_placement};
 use super::uncertainty::{self, Known};
 use super::verdict::Verdict;
 use super::words::{self, fixed};
@@ -21,7 +22,6 @@ use stiffarm::model::ModelKind;
 use stiffarm::place::{Margins, PlaceOptions};
 use stiffarm::rank::{Rank, Ranking, Row};
 use stiffarm::robot::{Robot, Status};
-use stiffarm::task::Task;
 use stiffarm::uncertainty::{Chances, Spread, chances_of, drawn_in};
 
 /// The answer of `rank`, with what was asked.
@@ -94,24 +94,6 @@ impl RankAnswer {
     pub(super) fn rivals(&self, task: usize) -> Vec<&Row> {
         let rivals = self.best_published(task).map_or_else(Vec::new, |best| self.ranking.rivals_of(best, task));
         rivals.into_iter().filter(|row| !self.is_barred(row)).collect()
-    }
-
-    /// How near the arm of a row comes to anything at its place for a task. In the plane that takes longer than the place: all are looked at
-    /// once, where somebody asks.
-    pub(super) fn clearance(&self, at: usize, task: usize) -> Option<Clearance> {
-        let clear = |row: &Row| {
-            let of_task = |(cell, task): (usize, &Task)| {
-                clearance(&row.robot, (&self.ranking.model, &self.options), task, row.placement(cell)?)
-            };
-            self.ranking.tasks.iter().enumerate().map(of_task).collect()
-        };
-        self.clearances.get_or_init(|| self.ranking.rows.iter().map(clear).collect())[at][task]
-    }
-
-    /// The arm of a row collides at its place for a task; never in the plane, which has no wrist.
-    pub fn collides(&self, at: usize, task: usize) -> bool {
-        let in_space = self.ranking.rows[at].placement(task).and_then(|best| best.clearance_in_space);
-        in_space.is_some_and(|clearance| clearance.is_collision())
     }
 
     /// Where a row of the ranking stands in it.

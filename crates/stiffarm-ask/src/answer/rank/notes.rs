@@ -6,7 +6,6 @@ use super::super::verdict::HOLDS;
 use super::super::words::{self, COLUMN};
 use super::super::{cell, margins};
 use super::RankAnswer;
-use stiffarm::clearance::Clearance;
 use stiffarm::mass::GRAVITY;
 use stiffarm::place::{Column, PlaceError, Placement};
 use stiffarm::rank::{Cell, Ranking, Row};
@@ -98,7 +97,7 @@ impl RankAnswer {
     }
 
     /// Robots with the tasks of which the place is as `odd` says.
-    fn named(&self, odd: impl Fn(&Row, usize, &Placement) -> bool) -> Option<String> {
+    pub(super) fn named(&self, odd: impl Fn(&Row, usize, &Placement) -> bool) -> Option<String> {
         let mut found = Vec::new();
         for row in &self.ranking.rows {
             let tasks: Vec<&str> = (0..row.cells.len())
@@ -136,22 +135,6 @@ impl RankAnswer {
                 "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--clear-of-base-m keeps away): {names}\n"
             )
         })
-    }
-
-    /// Names the places where the arm overlaps with something; nothing where no floor is known in the plane, as in the paper's convention.
-    fn colliding(&self) -> String {
-        if self.ranking.in_plane.is_none() && self.options.margins.floor.is_none() {
-            return String::new();
-        }
-        let where_it = |is: fn(&Clearance) -> bool| {
-            self.named(|row, task, _| self.clearance(self.at(row), task).is_some_and(|clearance| is(&clearance)))
-        };
-        let collide = where_it(Clearance::is_collision)
-            .map(|names| format!("COLLISION at the place (`stiffarm place --model spatial` says of what): {names}\n"));
-        let may = where_it(Clearance::may_collide).map(|names| {
-            format!("may collide at the place, as far as a model without wrist and tool tells (`stiffarm place` says of what, --model spatial knows): {names}\n")
-        });
-        [collide, may].into_iter().flatten().collect()
     }
 
     /// How far the values in space are from being proved best; in the plane all are.

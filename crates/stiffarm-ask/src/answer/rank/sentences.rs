@@ -7,7 +7,6 @@ use super::super::verdict::{Verdict, percent};
 use super::super::words::{self, fixed};
 use super::RankAnswer;
 use super::notes::MOST_NAMED;
-use stiffarm::clearance::Clearance;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::rank::Row;
@@ -50,12 +49,6 @@ impl RankAnswer {
     /// A robot is not to be taken, whatever its deflections: its arm collides, or it carries more than it may.
     pub(in crate::answer) fn is_barred(&self, row: &Row) -> bool {
         self.collides_somewhere(row) || self.carried(&row.robot).is_exceeded()
-    }
-
-    /// The arm of a row collides at some task.
-    fn collides_somewhere(&self, row: &Row) -> bool {
-        let at = self.at(row);
-        (0..row.cells.len()).any(|task| self.collides(at, task))
     }
 
     /// A robot that is not to be taken, and why.
@@ -175,17 +168,6 @@ impl RankAnswer {
             .map(|(row, tasks)| format!("{} on {}", self.barred(row), self.labels(tasks)))
             .collect();
         (!named.is_empty()).then(|| format!("Stiffer, but not to be taken: {}.", named.join("; ")))
-    }
-
-    /// What the arms of some rows overlap with at some tasks.
-    fn collisions(&self, rows: &[(&Row, Vec<usize>)]) -> Vec<String> {
-        let of = |row: &Row, task: usize| {
-            let clearance = self.clearance(self.at(row), task).filter(Clearance::is_collision)?;
-            let by = fixed(-clearance.distance * 1e3, 0);
-            let between = words::clearance_between(&clearance);
-            Some(format!("{} on {}: by {by} mm, {between}", row.robot.name, self.ranking.tasks[task].label))
-        };
-        rows.iter().flat_map(|(row, tasks)| tasks.iter().filter_map(move |&task| of(row, task))).collect()
     }
 
     /// Under what the robots are compared: the force, how stiff the drives are taken to be, and in the arm plane how zones stand.
