@@ -71,6 +71,12 @@ pub(crate) fn most_of(by_drive: &[Matrix3<f64>; 6], factors: &[f64; 6], forces: 
     forces.map_or_else(|| eigenvalues(&drawn)[0], |forces| forces.largest(&drawn).value)
 }
 
+/// How far the force that does most of what counts moves the tool in all, m/N: no less than what counts of it.
+pub(crate) fn moved_in_all(by_drive: &[Matrix3<f64>; 6], forces: Option<&Forces>) -> f64 {
+    let whole: Matrix3<f64> = by_drive.iter().sum();
+    forces.map_or_else(|| eigenvalues(&whole)[0], |forces| (whole * forces.largest(&whole).force).norm())
+}
+
 /// A posture that cannot be judged.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PostureError {

@@ -259,12 +259,22 @@ impl Unexplained {
         self.errors[draw] * self.identified.unexplained(length, 3)
     }
 
-    /// The length, m, of a displacement of which the model tells `nominal` and a draw of the drives `drawn`, with so many coordinates.
-    pub fn added(&self, draw: usize, (nominal, drawn): (f64, f64), coordinates: usize) -> f64 {
-        let error = self.errors[draw] * self.identified.unexplained(nominal, coordinates);
-        let across: f64 = error.iter().skip(1).take(coordinates - 1).map(|part| part * part).sum();
+    /// What counts of a displacement, m, of which a draw of the drives tells `drawn`.
+    pub(crate) fn added(&self, draw: usize, drawn: f64, moved: &Moved) -> f64 {
+        let error = self.errors[draw] * self.identified.unexplained(moved.length, moved.coordinates);
+        let across: f64 = error.iter().skip(1).take(moved.counted - 1).map(|part| part * part).sum();
         (drawn + error.x).hypot(across.sqrt())
     }
+}
+
+/// A displacement, of which all or a part counts: what an identification did not explain may point any way, whatever counts.
+pub(crate) struct Moved {
+    /// All of it, m.
+    pub length: f64,
+    /// How many coordinates it has: three in space, two in the arm plane.
+    pub coordinates: usize,
+    /// How many of them count: one of a part along a direction, else all.
+    pub counted: usize,
 }
 
 /// Of what an identification did not explain: other draws than those of the drives.

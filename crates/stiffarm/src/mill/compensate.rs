@@ -19,7 +19,7 @@ use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
 use crate::parallel;
-use crate::prior::{Drawn, Unexplained};
+use crate::prior::{Drawn, Moved, Unexplained};
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
@@ -205,8 +205,14 @@ struct Given {
 }
 
 enum ByDrive {
-    /// Under a force that is known: m, a column for every drive, and the direction that counts; `None` where all of it does.
-    Known(Matrix3x6<f64>, Option<Vector3<f64>>),
+    /// Under a force that is known: m, a column for every drive.
+    Known {
+        by_drive: Matrix3x6<f64>,
+        /// The direction that counts; `None` where all of it does.
+        counted: Option<Vector3<f64>>,
+        /// How far the tool moves in all, m.
+        length: f64,
+    },
     /// Under a force that may point anywhere: m along each of three axes where it points along each of them.
     Any(Box<[Matrix3<f64>; 6]>),
 }
@@ -215,8 +221,8 @@ impl Given {
     /// The error, m, where each drive gives so many times that, and a draw adds what an identification did not explain.
     fn error(&self, times: &Vector6<f64>, (unexplained, draw): (Option<&Unexplained>, usize)) -> f64 {
         match &self.by_drive {
-            ByDrive::Known(by_drive, counted) => {
-                let missed = |one: &Unexplained| one.in_space(draw, by_drive.column_sum().norm());
+            ByDrive::Known { by_drive, counted, length } => {
+                let missed = |one: &Unexplained| one.in_space(draw, *length);
                 let moved = by_drive * times + unexplained.map_or_else(Vector3::zeros, missed);
                 counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
             }
@@ -225,8 +231,8 @@ impl Given {
                     let sum: Matrix3<f64> = by_drive.iter().zip(times).map(|(part, times)| part * *times).sum();
                     sum.symmetric_eigenvalues().amax()
                 };
-                let added = |one: &Unexplained| one.added(draw, (most(&Vector6::repeat(1.0)), most(times)), 3);
-                unexplained.map_or_else(|| most(times), added)
+                let moved = || Moved { length: most(&Vector6::repeat(1.0)), coordinates: 3, counted: 3 };
+                unexplained.map_or_else(|| most(times), |one| one.added(draw, most(times), &moved()))
             }
         }
     }
@@ -243,7 +249,7 @@ impl Given {
                 by_drive.iter().zip(times).map(|(part, times)| part.trace() * times.abs()).sum::<f64>()
                     * (1.0 + ROUNDING)
             }
-            (ByDrive::Known(..), _) | (_, Some(_)) => f64::INFINITY,
+            (ByDrive::Known { .. }, _) | (_, Some(_)) => f64::INFINITY,
         }
     }
 }
@@ -273,10 +279,15 @@ fn by_drives(
                 }
                 // Along one direction a force of any does as much as one along it moves in all.
                 (Acting::Any(newtons), Some(counted)) => {
-                    ByDrive::Known(Matrix3x6::from_columns(&moved(Wrench::force(counted * newtons))), None)
+                    let by_drive = Matrix3x6::from_columns(&moved(Wrench::force(counted * newtons)));
+                    // The force that does most points the way in which one along it moves.
+                    let most = by_drive.column_sum().try_normalize(0.0).unwrap_or(counted);
+                    let length = newtons * (posture.compliance.translation() * most).norm();
+                    ByDrive::Known { by_drive, counted: None, length }
                 }
                 (Acting::Known { force, moment }, counted) => {
-                    ByDrive::Known(Matrix3x6::from_columns(&moved(wrench(&axes, force, moment))), counted)
+                    let by_drive = Matrix3x6::from_columns(&moved(wrench(&axes, force, moment)));
+                    ByDrive::Known { by_drive, counted, length: by_drive.column_sum().norm() }
                 }
             };
             Given { station, by_drive }
