@@ -282,7 +282,9 @@ impl ChatterAnswer {
             None if self.chatter.drives_are_assumed => "not known: the stiffness is nobody's".into(),
             None if self.chatter.is_vague() => "not known: the measured table does not decide it".into(),
             None => "not known: counted tooth by tooth, depths at other speeds have no interval".into(),
-            Some([]) => format!("none from {within} rpm: at each, fewer than 95 of 100 draws allow the cut"),
+            Some([]) => format!(
+                "none from {within} rpm: at each it swings at the nominal stiffness or in more than 5 of 100 draws"
+            ),
             Some(speeds) => {
                 let range = |[from, to]: &[f64; 2]| format!("{} to {}", fixed(*from, 0), fixed(*to, 0));
                 format!("{} rpm, of {within} rpm", speeds.iter().map(range).collect::<Vec<_>>().join(", "))

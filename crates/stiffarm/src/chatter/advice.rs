@@ -15,7 +15,7 @@ const NEARBY: [f64; 2] = [0.5, 1.5];
 const ROUNDED: f64 = 1e-9;
 
 impl Chatter {
-    /// Speeds of the spindle at which the cut is less deep than what swings in 95 of 100 draws, rad/s: from where to where, ascending, among the
+    /// Speeds of the spindle at which the cut is calm ([`Verdict::Calm`](super::Verdict)), rad/s: from where to where, ascending, among the
     /// speeds of the chart within 0.5 to 1.5 of the spindle's. Empty where there are none.
     ///
     /// `None` where teeth are counted one by one, which has no interval at other speeds, of drives that are nobody's, and where a measured table
@@ -27,7 +27,7 @@ impl Chatter {
         let nearby = NEARBY[0] - ROUNDED..=NEARBY[1] + ROUNDED;
         let (depth, mut found, mut goes_on) = (self.cut.milling.engagement.depth(), Vec::<[f64; 2]>::new(), false);
         for lobe in self.lobes.iter().filter(|lobe| nearby.contains(&(lobe.spindle / self.cut.spindle))) {
-            let is_calm = lobe.spread?.p05.is_none_or(|p05| depth < p05);
+            let is_calm = lobe.spread?.allows(depth, lobe.edge);
             match found.last_mut().filter(|_| goes_on && is_calm) {
                 Some(last) => last[1] = lobe.spindle,
                 None => found.extend(is_calm.then_some([lobe.spindle; 2])),

@@ -65,9 +65,9 @@ pub struct Asked<'a> {
 /// Does it swing?
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// Robot modes calm: the depth of the cut is less than what swings in 95 of 100 draws.
+    /// Robot modes calm: the depth of the cut is less than what swings in 95 of 100 draws, and with drives and damping as they are taken.
     Calm,
-    /// Robot modes limit the depth, m: that of the cut is more than what swings in 95 of 100 draws.
+    /// Robot modes limit the depth, m: that of the cut is more than what swings in 95 of 100 draws, and with drives and damping as they are taken.
     Limits(f64),
     /// Stiffness and damping are not known well enough.
     NotDecided,
@@ -130,8 +130,10 @@ impl Chatter {
             return Verdict::NotDecided;
         }
         match (self.spread, self.at_speed) {
-            (DepthSpread { p05, .. }, _) if p05.is_none_or(|p05| depth < p05) => Verdict::Calm,
-            (DepthSpread { p95: Some(p95), .. }, Some(edge)) if p95 < depth => Verdict::Limits(edge.depth),
+            (spread, taken) if spread.allows(depth, taken) => Verdict::Calm,
+            (DepthSpread { p95: Some(p95), .. }, Some(edge)) if p95.max(edge.depth) < depth => {
+                Verdict::Limits(edge.depth)
+            }
             _ => Verdict::NotDecided,
         }
     }

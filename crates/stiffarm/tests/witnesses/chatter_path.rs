@@ -333,7 +333,8 @@ fn calm_speeds_are_those_at_which_the_cut_is_less_deep_than_the_interval() {
     let speeds = found.calm_speeds().unwrap();
     let is_within = |speed: f64| speeds.iter().any(|[from, to]| *from <= speed && speed <= *to);
     for lobe in nearby(&found) {
-        let calm = lobe.spread.unwrap().p05.is_none_or(|p05| depth < p05);
+        let nominal = lobe.edge.is_none_or(|edge| depth < edge.depth);
+        let calm = nominal && lobe.spread.unwrap().p05.is_none_or(|p05| depth < p05);
         assert_eq!(is_within(lobe.spindle), calm, "{lobe:?}");
     }
     assert!(!speeds.is_empty() && speeds.windows(2).all(|pair| pair[0][1] < pair[1][0]), "{speeds:?}");

@@ -52,6 +52,25 @@ fn a_verdict_is_given_only_where_the_interval_gives_it() {
     assert_eq!(found.lobes.len(), 191);
 }
 
+/// Where two modes nearly meet, the nominal stiffness may swing sooner than all but a few draws, which have them apart.
+#[test]
+fn a_cut_that_swings_at_the_nominal_stiffness_is_never_calm_and_one_that_does_not_is_never_limited() {
+    let spread = of_depth(1e-3).spread;
+    let (p05, p95) = (spread.p05.unwrap(), spread.p95.unwrap());
+    let where_nominal = |depth: f64, nominal: f64| {
+        let mut found = of_depth(depth);
+        for edge in found.at_speed.iter_mut().chain(found.lobes.iter_mut().filter_map(|lobe| lobe.edge.as_mut())) {
+            edge.depth = nominal;
+        }
+        found
+    };
+    let before = where_nominal(0.99 * p05, 0.98 * p05);
+    assert_eq!((before.verdict(), before.calm_speeds()), (Verdict::NotDecided, Some(Vec::new())));
+    assert_eq!(where_nominal(0.99 * p05, 1.01 * p05).verdict(), Verdict::Calm);
+    assert_eq!(where_nominal(1.01 * p95, 1.02 * p95).verdict(), Verdict::NotDecided);
+    assert_eq!(where_nominal(1.03 * p95, 1.02 * p95).verdict(), Verdict::Limits(1.02 * p95));
+}
+
 #[test]
 fn drives_that_are_nobodys_decide_nothing_and_a_given_damping_has_no_interval() {
     let (robot, tool, q) = by_prior();
