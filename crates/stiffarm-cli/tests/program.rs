@@ -401,7 +401,7 @@ fn in_space_a_zone_has_a_place_a_posture_and_joint_angles_and_planar_questions_a
     assert!(code == 2 && errors.contains("needs --model spatial"), "{errors}");
     let narrow = ["place", "BT200L", "--task", "rect:0.3x0.2", "--model", "spatial", "--within", "1..1.1,0.5.."];
     let narrow = json(&narrow);
-    assert!(narrow["reason"].as_str().unwrap().contains("narrower than the zone"), "{narrow}");
+    assert!(narrow["reason"].as_str().unwrap().contains("narrower or lower than the zone"), "{narrow}");
     let (_, errors) = refused(&["place", "BT200L", "--task", "A:0.5", "--model", "spatial", "--yaw-deg", "30"]);
     assert!(errors.contains("--yaw-deg turns nothing"), "{errors}");
 }

@@ -248,6 +248,52 @@ fn a_wall_that_faces_the_robot_is_a_part_of_one_side() {
     assert!((part.centre[1] + 0.1 - flat.centre[1]).abs() < 0.05, "{part:?} {flat:?}");
 }
 
+/// Wider windows take no place away: down to one that is just as high as the part, and where places of a coarse grid would miss it.
+#[test]
+fn a_window_that_is_hardly_higher_than_the_part_has_the_place_that_lies_in_it() {
+    const HIGH: f64 = 0.18;
+    let robot = &paper_robots()[2];
+    let model = Model::spatial(robot, &spindle()).unwrap();
+    let part = Part::of_box([0.5, 0.4, HIGH]).with_faces(&["top".into(), "left".into()]).unwrap();
+    let within = |low: f64, high: f64| {
+        let z = Interval::spanning(low, high);
+        let options = PlaceOptions {
+            within: Some(Within { x: Interval::spanning(0.8, 2.2), z }),
+            ..asked(Orientation::Fixed(0.0))
+        };
+        place(&model, &part.clone().into(), &options, Watch::nobody()).unwrap()
+    };
+    let high = within(0.4, 0.4 + HIGH);
+    let alone = high.feasible().unwrap_or_else(|| panic!("{high:?}"));
+    assert!((alone.centre[1] - 0.4).abs() < 1e-6, "{:?}", alone.centre);
+    for more in [1e-4, 2e-3, 8e-3, 0.013, 0.02, 0.03, 0.05] {
+        for [below, above] in [[more, 0.0], [0.0, more], [more / 2.0, more / 2.0]] {
+            let placed = within(0.4 - below, 0.4 + HIGH + above);
+            let found = placed.feasible().unwrap_or_else(|| panic!("{below} {above}: {placed:?}"));
+            // The best place is found to one per cent.
+            assert!(found.deflection < 1.01 * alone.deflection, "{below} {above}: {found:?}");
+        }
+    }
+    let low = within(0.4, 0.4 + HIGH - 1e-3);
+    assert!(matches!(low, Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, .. }), "{low:?}");
+}
+
+/// Whichever is named first.
+#[test]
+fn the_face_that_has_no_place_is_named_and_not_one_that_others_leave_none() {
+    let robot = &paper_robots()[2];
+    let model = Model::spatial(robot, &spindle()).unwrap();
+    let top = Part::of_box([0.3, 0.3, 0.1]).with_faces(&["top".into()]).unwrap().faces.remove(0);
+    let zone = Zone::Rectangle { width: 0.2, height: 9.0 };
+    let wall = Face { name: "wall".into(), zone, centre: [0.0, 0.0, 0.1], elevation: 0.0, azimuth: 0.0 };
+    for faces in [[top.clone(), wall.clone()], [wall, top]] {
+        let part = Part { label: "wide".into(), faces: faces.to_vec() };
+        let placed = place(&model, &part.into(), &asked(Orientation::Fixed(0.0)), Watch::nobody()).unwrap();
+        let Placed::Infeasible { reason, is_proved, .. } = placed else { panic!("{placed:?}") };
+        assert_eq!((reason, is_proved), (Misfit::Face("wall".into()), true));
+    }
+}
+
 #[test]
 fn a_part_that_has_no_place_says_which_face_has_none() {
     let robot = &paper_robots()[2];

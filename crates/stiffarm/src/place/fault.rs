@@ -66,8 +66,12 @@ impl std::fmt::Display for Misfit {
             Self::Margins => f.write_str(
                 "has a place only nearer to a joint limit, to a straight posture, to the robot's column or to the floor than the margins allow",
             ),
-            Self::Face(name) => write!(f, "its face {name} has no place, even without the others"),
-            Self::WindowTooNarrow => f.write_str("the allowed place is narrower than the zone"),
+            Self::Face(name) => {
+                // Faces that nobody named are counted: "face 1".
+                let name = name.strip_prefix("face ").unwrap_or(name);
+                write!(f, "its face {name} has no place, even without the others")
+            }
+            Self::WindowTooNarrow => f.write_str("the allowed place is narrower or lower than the zone"),
             Self::NothingReached => f.write_str("no point of the allowed place is reached with the tool held as it is asked for"),
             Self::NowhereWhole { step: 0.0 } => f.write_str("the whole zone is not reached there in one posture"),
             Self::NowhereWhole { step } => write!(

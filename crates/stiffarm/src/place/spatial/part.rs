@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::bound::BranchAndBound;
+use super::bound::{BranchAndBound, Proof};
 use super::descent::{Score, descend, others};
-use super::search::{CELLS, FINALISTS, STARTS, Search, region};
+use super::search::{CELLS, FINALISTS, STARTS, Search, region, step_in};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
 use crate::clearance::Clearance;
@@ -107,19 +107,23 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
     }
     let one = |i: usize| {
         let (face, question) = (&part.faces[i], &questions[i]);
-        let alone = alone(part, face, question);
-        let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
-        let [x, z] = region(arm, alone.within);
-        let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
-        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], [true, roll_is_free]).prove(upper)?;
+        let proof = proof(arm, face, &alone(&part.faces, face, question), upper)?;
         Ok((proof.lower, proof.boxes))
     };
     parallel::try_each_of(part.faces.len(), one)
 }
 
-/// What is asked of a face that is let go from the others: its centre turns about the joint-1 axis into the arm plane, and with it whatever
+/// What is proved of a face that is let go from the others, where that is asked of it.
+fn proof(arm: &SpatialArm, face: &Face, alone: &Question, upper: f64) -> Result<Proof, Stopped> {
+    let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
+    let [x, z] = region(arm, alone.within);
+    let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
+    BranchAndBound::new(arm, face.zone, alone, [ahead, z], [true, roll_is_free]).prove(upper)
+}
+
+/// What is asked of a face that is let go from others, below and above which they reach: its centre turns about the joint-1 axis into the arm plane, and with it whatever
 /// the part's turn leaves open.
-fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> {
+fn alone<'a>(others: &[Face], face: &Face, question: &Question<'a>) -> Question<'a> {
     let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
     let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
     let is_alike = face.zone.is_round() && !question.load.turns_with_work();
@@ -132,14 +136,7 @@ fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> 
         Orientation::Axes if is_central && face.azimuth.rem_euclid(FRAC_PI_2).abs() < 1e-12 => Orientation::Axes,
         _ => Orientation::Free,
     };
-    // How far other faces reach below this one and above it.
-    let extent = |face: &Face| {
-        let plane = WorkPlane::of(face.elevation, &placed(face, &Stand { x: 0.0, z: 0.0, turn: 0.0 }, 0.0));
-        let [_, _, half] = plane.half_extents(face.zone);
-        [face.centre[2] - half, face.centre[2] + half]
-    };
-    let own = extent(face);
-    let all = part.faces.iter().map(extent).fold(own, |[low, high], [a, b]| [low.min(a), high.max(b)]);
+    let (own, all) = (heights(std::slice::from_ref(face)), heights(others));
     let Within { x, z } = question.within;
     let z = Interval::new(z.min() + (own[0] - all[0]), z.max() - (all[1] - own[1])).unwrap_or(Interval::point(1e9));
     // Turned into the arm plane a point keeps its distance from the axis alone.
@@ -148,6 +145,20 @@ fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> 
     // Of a vertical tool the roll counts from the part's axes, which turn.
     let roll = question.roll.filter(|_| !is_vertical);
     Question { orientation, yaw, roll, within: Within { x: Interval::ALL, z }, column, ..*question }
+}
+
+/// From where to where some faces reach up, m above the underside: the same at every turn.
+fn heights(faces: &[Face]) -> [f64; 2] {
+    let of = |face: &Face| {
+        let [.., half] = extents(face, 0.0);
+        [face.centre[2] - half, face.centre[2] + half]
+    };
+    faces.iter().map(of).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)])
+}
+
+/// How far a face reaches to either side of its centre: ahead, across and up, m, where its part is turned so.
+fn extents(face: &Face, turn: f64) -> [f64; 3] {
+    WorkPlane::of(face.elevation, &placed(face, &Stand { x: 0.0, z: 0.0, turn }, 0.0)).half_extents(face.zone)
 }
 
 /// Where a face lies when its part stands somewhere.
@@ -161,6 +172,44 @@ fn placed(face: &Face, stand: &Stand, roll: f64) -> WorkPlacement {
         yaw: stand.turn + face.azimuth,
         angle: 0.0,
         roll,
+    }
+}
+
+/// Where a part may stand, ahead and up, that a face of it lies with all its corners where the tool may be; `None` where it does so nowhere.
+///
+/// A grid over more than that would miss places in windows that are hardly wider than the part.
+fn stands_of(face: &Face, [ahead, up]: [Interval; 2], orientation: Orientation) -> [Option<Interval>; 2] {
+    let room = |range: Interval, half: f64, centre: f64| {
+        range.room_for(half, tolerances::ONE_PLACE).map(|room| room.affine(1.0, -centre))
+    };
+    let [.., half] = extents(face, 0.0);
+    let across = match turns(orientation) {
+        // The face may lie on any side of the middle.
+        _ if orientation == Orientation::Free => {
+            let far = face.centre[0].hypot(face.centre[1]);
+            Some(Interval::spanning(ahead.min() - far, ahead.max() + far))
+        }
+        turns => {
+            let at = |turn: f64| {
+                let centre = placed(face, &Stand { x: 0.0, z: 0.0, turn }, 0.0).x;
+                room(ahead, extents(face, turn)[0], centre)
+            };
+            turns
+                .into_iter()
+                .filter_map(at)
+                .reduce(|a, b| Interval::spanning(a.min().min(b.min()), a.max().max(b.max())))
+        }
+    };
+    [across, room(up, half, face.centre[2])]
+}
+
+/// The turns of a part that are tried, rad.
+fn turns(orientation: Orientation) -> Vec<f64> {
+    let every = |count: usize| (0..count).map(|i| TAU * i as f64 / count as f64).collect();
+    match orientation {
+        Orientation::Axes => every(4),
+        Orientation::Fixed(angle) => vec![angle],
+        Orientation::Free => every(24),
     }
 }
 
@@ -180,21 +229,28 @@ fn infeasible(
     {
         return infeasible(Misfit::Margins, false);
     }
-    for (face, question) in part.faces.iter().zip(questions) {
-        // Turned about the joint-1 axis a face is reached as before, whatever pushes.
-        let question = &Question { load: question.load.in_worst_direction(), ..*question };
-        let alone = alone(part, face, question);
-        let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
-        let [x, z] = region(arm, alone.within);
-        let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
-        let proof =
-            BranchAndBound::new(arm, face.zone, &alone, [ahead, z], [!alone.load.breaks_symmetry(), roll_is_free])
-                .prove(f64::INFINITY)?;
-        if proof.unfathomed.is_empty() {
-            return infeasible(Misfit::Face(face.name.clone()), true);
+    let [low, high] = heights(&part.faces);
+    if questions[0].within.z.width() + tolerances::PROOF < high - low {
+        return infeasible(Misfit::WindowTooNarrow, true);
+    }
+    // Turned about the joint-1 axis a face is reached as before, whatever pushes.
+    let nowhere = |(face, question): (&Face, &Question), others: &[Face]| {
+        let question = Question { load: question.load.in_worst_direction(), ..*question };
+        proof(arm, face, &alone(others, face, &question), f64::INFINITY).map(|proof| proof.unfathomed.is_empty())
+    };
+    let each = || part.faces.iter().zip(questions);
+    for one in each() {
+        if nowhere(one, std::slice::from_ref(one.0))? {
+            return infeasible(Misfit::Face(one.0.name.clone()), true);
         }
     }
-    infeasible(Misfit::NowhereWhole { step: PartSearch::new(model, arm, part, questions).step }, false)
+    let step = PartSearch::new(model, arm, part, questions).step;
+    for one in each() {
+        if nowhere(one, &part.faces)? {
+            return infeasible(Misfit::NowhereWhole { step }, true);
+        }
+    }
+    infeasible(Misfit::NowhereWhole { step }, false)
 }
 
 impl<'a> PartSearch<'a> {
@@ -206,11 +262,14 @@ impl<'a> PartSearch<'a> {
             search
         };
         let searches: Vec<Search> = part.faces.iter().zip(questions).map(of).collect();
-        let (mut region, step) = (searches[0].region, searches[0].step);
-        // The underside may lie lower than what the lengths let the tool reach.
-        let high = part.faces.iter().map(|face| face.centre[2]).fold(0.0, f64::max);
-        region[1] = Interval::spanning(region[1].min() - high, region[1].max());
-        Self { faces: &part.faces, searches, orientation: questions[0].orientation, region, step }
+        let orientation = questions[0].orientation;
+        // Where faces share nothing, one place far away says so.
+        let stands = searches.iter().map(|search| region(arm, search.options.within)).zip(&part.faces);
+        let stands = stands.map(|(centres, face)| stands_of(face, centres, orientation));
+        let shared = stands.reduce(|a, b| [0, 1].map(|i| a[i]?.intersect(b[i]?)));
+        let region = shared.unwrap_or([None; 2]).map(|range| range.unwrap_or(Interval::point(1e9)));
+        let step = step_in(&region);
+        Self { faces: &part.faces, searches, orientation, region, step }
     }
 
     /// The best place that is seen, face by face.
@@ -226,15 +285,6 @@ impl<'a> PartSearch<'a> {
             }
         }
         Ok(None)
-    }
-
-    fn turns(&self) -> Vec<f64> {
-        let every = |count: usize| (0..count).map(|i| TAU * i as f64 / count as f64).collect();
-        match self.orientation {
-            Orientation::Axes => every(4),
-            Orientation::Fixed(angle) => vec![angle],
-            Orientation::Free => every(24),
-        }
     }
 
     fn rolls(&self, face: usize) -> Vec<f64> {
@@ -273,7 +323,7 @@ impl<'a> PartSearch<'a> {
             };
             Ok((0..rows * columns).filter_map(whole).collect::<Vec<_>>())
         };
-        let of_turns = parallel::try_each(&self.turns(), of_turn)?;
+        let of_turns = parallel::try_each(&turns(self.orientation), of_turn)?;
         let mut centres: Vec<_> = of_turns.into_iter().flatten().collect();
         centres.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (grids, mut seen, mut best) = (self.grids(CELLS[0]), Vec::new(), f64::INFINITY);

@@ -117,6 +117,12 @@ fn of_centres(region: [Interval; 2], zone: Zone, options: &Question) -> [Interva
     })
 }
 
+/// Distance between the places of a coarse search over a region, m.
+pub(super) fn step_in(region: &[Interval; 2]) -> f64 {
+    let longest = region[0].width().max(region[1].width());
+    if longest == 0.0 { STEP_AT_ONE_PLACE } else { (longest / PLACES as f64).max(1e-3) }
+}
+
 /// No place is left to choose.
 fn is_point(region: &[Interval; 2]) -> bool {
     region.iter().all(|range| range.width() == 0.0)
@@ -166,7 +172,6 @@ impl<'a> Search<'a> {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
         let region = of_centres(region(arm, options.within), zone, options);
         let turns = !options.load.breaks_symmetry() && !is_point(&region);
-        let longest = region[0].width().max(region[1].width());
         Self {
             robot,
             arm,
@@ -175,8 +180,8 @@ impl<'a> Search<'a> {
             zone,
             options,
             roll_is_free,
+            step: step_in(&region),
             region,
-            step: if longest == 0.0 { STEP_AT_ONE_PLACE } else { (longest / PLACES as f64).max(1e-3) },
         }
     }
 
