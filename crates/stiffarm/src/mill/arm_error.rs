@@ -16,11 +16,9 @@ use crate::compliance::PostureError;
 use crate::parallel;
 use crate::prior::normal;
 use crate::robot::Robot;
-use crate::uncertainty::quantile;
+use crate::uncertainty::{DRAWS, quantile};
 use crate::watch::Watch;
 
-/// The ends of 95 % of so many draws are known to some per cent.
-const DRAWS: usize = 400;
 /// Stations at which it is looked at: the error changes slowly along a path.
 const LOOKED_AT: usize = 100;
 

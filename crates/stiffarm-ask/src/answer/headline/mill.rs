@@ -79,7 +79,7 @@ impl MillAnswer {
         let milled = self.milled_verdict().unwrap_or(verdict);
         let left = (tolerance - milled.margin_mm) / 1e3;
         let exceeded = self.geometry_exceeds(tolerance, left, self.compensation.is_some());
-        sentences.extend(exceeded.filter(|_| milled.passes));
+        sentences.extend(exceeded.map(|exceeded| exceeded.sentence).filter(|_| milled.passes));
         (judged(milled), sentences)
     }
 

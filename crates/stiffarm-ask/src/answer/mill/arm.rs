@@ -23,6 +23,17 @@ pub enum ArmGeometry {
     Drawn(DrawnError),
 }
 
+/// Why a tolerance that the deflection keeps is not kept, or may not be.
+pub(in crate::answer) struct Exceeded {
+    /// In words.
+    pub(in crate::answer) sentence: String,
+    /// In more than half of such arms, rather than in some.
+    pub(in crate::answer) is_likely: bool,
+}
+
+/// The 95 % distance of three normal coordinates over its root mean square: the root of a third of that of chi squared with 3 degrees of freedom.
+const P95_OF_RMS: f64 = 1.614;
+
 /// That the base stands as the calibration has it.
 ///
 /// # Errors
@@ -157,50 +168,62 @@ impl MillAnswer {
         self.drawn_error().map_or_else(String::new, drawn)
     }
 
-    /// The geometry errs by so much that a tolerance, mm, is not kept, although a deflection, m, of a program that is compensated or not keeps it:
-    /// that verdict is of the deflection alone.
+    /// The geometry errs, or may err, by so much that a tolerance, mm, is not kept, although a deflection, m, of a program that is compensated or not
+    /// keeps it: that verdict is of the deflection alone.
     pub(in crate::answer) fn geometry_exceeds(
         &self,
         tolerance_mm: f64,
         deflection: f64,
         is_compensated: bool,
-    ) -> Option<String> {
+    ) -> Option<Exceeded> {
         let uncorrected = || if is_compensated { None } else { self.geometry_uncorrected(tolerance_mm) };
         self.geometry_left(tolerance_mm, deflection).or_else(uncorrected)
     }
 
     /// The same of what nobody corrects: that of an arm that was not calibrated, or what its calibration leaves.
-    fn geometry_left(&self, tolerance_mm: f64, deflection: f64) -> Option<String> {
-        let (besides, what, helps) = match (&self.robot.calibration, self.drawn_error()) {
+    fn geometry_left(&self, tolerance_mm: f64, deflection: f64) -> Option<Exceeded> {
+        let (besides, most, what, helps) = match (&self.robot.calibration, self.drawn_error()) {
             (Some(known), _) => (
                 known.left_out,
+                known.left_out * P95_OF_RMS,
                 "The calibration of this arm leaves {} mm (rms, where it was not measured) besides",
                 "more points, nearer to the work, leave less.",
             ),
             (None, Some(found)) => (
                 found.median,
+                found.p95,
                 "The geometry of this arm, which was not calibrated, errs by {} mm (median) besides",
                 "`stiffarm calibrate` finds it.",
             ),
             (None, None) => return None,
         };
-        let more = match tolerance_mm / 1e3 {
-            tolerance if tolerance < besides => "more than the tolerance",
-            tolerance if tolerance < besides + deflection => "with the deflection more than the tolerance",
+        let (more, is_likely) = match tolerance_mm / 1e3 {
+            tolerance if tolerance < besides => ("more than the tolerance".into(), true),
+            tolerance if tolerance < besides + deflection => {
+                ("with the deflection more than the tolerance".into(), true)
+            }
+            tolerance if tolerance < most + deflection => {
+                let most = fixed(most * 1e3, 2);
+                (format!("{most} mm (95 %), which with the deflection may be more than the tolerance"), false)
+            }
             _ => return None,
         };
-        Some(format!("{}, {more}: {helps}", what.replace("{}", &fixed(besides * 1e3, 2))))
+        Some(Exceeded {
+            sentence: format!("{}, {more}: {helps}", what.replace("{}", &fixed(besides * 1e3, 2))),
+            is_likely,
+        })
     }
 
     /// The same of a program that does not know the calibrated arm; one that is compensated is written for it.
-    fn geometry_uncorrected(&self, tolerance_mm: f64) -> Option<String> {
+    fn geometry_uncorrected(&self, tolerance_mm: f64) -> Option<Exceeded> {
         let ArmErrors { uncorrected, by_geometry, .. } = self.on_true_arm()?.errors;
         let tolerance = tolerance_mm / 1e3;
         (by_geometry <= tolerance && tolerance < uncorrected).then(|| {
-            format!(
+            let sentence = format!(
                 "A program that does not correct the geometry of this arm errs by {} mm, more than the tolerance: a program written by `stiffarm mill` (such as -o program.src) corrects it.",
                 fixed(uncorrected * 1e3, 2)
-            )
+            );
+            Exceeded { sentence, is_likely: true }
         })
     }
 

@@ -192,11 +192,10 @@ impl MillAnswer {
         Some(Verdict { is_of_drives_alone, ..Verdict::of(deflection, tolerance).with(holds) })
     }
 
-    /// The same of what is milled: who compensates sends a program that leaves the median of the draws, or what the model says where nothing
-    /// is known of the drives.
+    /// The same of what is milled: who compensates sends a program that leaves the median of the draws. Where nothing is known of the drives nobody
+    /// knows what it leaves, and compensation promises nothing.
     pub(super) fn milled_verdict(&self) -> Option<Verdict> {
-        let Some(Compensation { done, .. }) = &self.compensation else { return self.verdict() };
-        self.compensated_verdict().or_else(|| self.judged(done.by_joints, None, true))
+        self.compensated_verdict().or_else(|| self.verdict())
     }
 
     /// The largest force along the path, N.
@@ -280,7 +279,13 @@ impl MillAnswer {
             return Some(format!("{}: {exceeded}", self.robot.name));
         }
         let (tolerance, verdict) = self.tolerance_mm.zip(self.milled_verdict())?;
-        let what = if self.compensation.is_some() { " left after compensation" } else { "" };
+        let what = match &self.compensation {
+            Some(Compensation { remaining: Some(_), .. }) => " left after compensation",
+            Some(Compensation { remaining: None, .. }) => {
+                " without compensation (what it leaves is not known: --stiffness-uncertainty)"
+            }
+            None => "",
+        };
         (!verdict.passes).then(|| {
             let error = fixed(tolerance - verdict.margin_mm, 4);
             format!("{}: {error} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.path)

@@ -182,8 +182,12 @@ impl MillAnswer {
         lines.extend(self.clearance_lines());
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
-            let is_alone = verdict.passes && verdict.is_of_drives_alone;
-            let alone = if is_alone { "; with the geometry (below) it is more" } else { "" };
+            let exceeded = self.geometry_exceeds(tolerance, found.worst.0, false).filter(|_| verdict.passes);
+            let alone = match exceeded.map(|exceeded| exceeded.is_likely) {
+                Some(true) => "; with the geometry (below) it is more",
+                Some(false) => "; with the geometry (below) it may be more",
+                None => "",
+            };
             lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm{alone}", verdict.in_words())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
