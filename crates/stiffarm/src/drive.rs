@@ -124,6 +124,8 @@ pub enum Knowledge {
     Prior,
     /// Identifications of this robot that are published; drives that they do not show as in the prior.
     Published {
+        /// Which drives they show.
+        drives: [bool; 6],
         /// Where.
         sources: Vec<String>,
         /// The drive, from 0, in which they differ most, and the factor; `None` where they agree, or there is one.

@@ -38,6 +38,8 @@ struct Axis {
 #[derive(Clone, Debug)]
 struct Published {
     robot: String,
+    /// kg and m.
+    size: [f64; 2],
     /// N m/rad.
     stiffness: [Option<f64>; 6],
     is_modal: bool,
@@ -60,16 +62,25 @@ static PRIOR: LazyLock<[Axis; 6]> = LazyLock::new(|| {
 });
 
 static PUBLISHED: LazyLock<Vec<Published>> = LazyLock::new(|| {
+    let number = |cell: &String| cell.parse().expect("compiled in, and a test reads it");
     let row = |row: Vec<String>| Published {
         robot: row[0].clone(),
-        stiffness: std::array::from_fn(|i| {
-            (!row[i + 2].is_empty()).then(|| row[i + 2].parse().expect("compiled in, and a test reads it"))
-        }),
-        is_modal: row[8] == "modal",
-        source: row[9].clone(),
+        size: [number(&row[1]), number(&row[2])],
+        stiffness: std::array::from_fn(|i| (!row[i + 4].is_empty()).then(|| number(&row[i + 4]))),
+        is_modal: row[10] == "modal",
+        source: row[11].clone(),
     };
     table(include_str!("../stiffness/published.csv")).into_iter().map(row).collect()
 });
+
+impl Published {
+    /// Of a robot of this name that is as large, kg and m: a name alone may be anybody's.
+    fn is_of(&self, name: &str, size: [f64; 2]) -> bool {
+        /// The reach of a robot file that states none is that of its links.
+        const ALIKE: f64 = 0.1;
+        self.robot == name && self.size.iter().zip(size).all(|(own, of)| (of / own - 1.0).abs() <= ALIKE)
+    }
+}
 
 fn table(text: &str) -> Vec<Vec<String>> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
@@ -148,7 +159,7 @@ fn of_size(payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
 /// Median compliances, rad/(N m), and their scatter.
 fn known(name: &str, payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
     let (mut median, mut scatter) = of_size(payload_kg, reach);
-    let sets: Vec<&Published> = PUBLISHED.iter().filter(|set| set.robot == name).collect();
+    let sets: Vec<&Published> = PUBLISHED.iter().filter(|set| set.is_of(name, [payload_kg, reach])).collect();
     if sets.is_empty() {
         return (median, scatter);
     }
@@ -173,7 +184,8 @@ fn known(name: &str, payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
         }
     }
     let sources = sets.iter().map(|set| set.source.clone()).collect();
-    scatter.knowledge = Knowledge::Published { sources, disagreement };
+    let drives = std::array::from_fn(|drive| sets.iter().any(|set| set.stiffness[drive].is_some()));
+    scatter.knowledge = Knowledge::Published { drives, sources, disagreement };
     (median, scatter)
 }
 
@@ -386,9 +398,28 @@ mod tests {
     }
 
     #[test]
+    fn the_page_of_the_theory_has_the_numbers_of_the_table() {
+        let theory = include_str!("../../../docs/theory.md");
+        let row = |heading: &str| -> Vec<f64> {
+            let line = theory.lines().find(|line| line.starts_with(&format!("| {heading} |")));
+            let cells = line.unwrap_or_else(|| panic!("{heading}")).trim_matches('|').split('|').skip(1);
+            cells.map(|cell| cell.trim().parse().unwrap()).collect()
+        };
+        let of = |number: fn(&Axis) -> f64| PRIOR.iter().map(number).collect::<Vec<f64>>();
+        assert_eq!(row("`K0`, MN m/rad"), of(|axis| (axis.stiffness / 1e4).round() / 100.0));
+        assert_eq!(row("`b`"), of(|axis| axis.exponent));
+        assert_eq!(row("standard deviation of `g`"), of(|axis| axis.global));
+        assert_eq!(row("of `u`"), of(|axis| axis.common));
+        assert_eq!(row("of `e`"), of(|axis| axis.own));
+        let all = |axis: &Axis| (100.0 * axis.global.hypot(axis.common).hypot(axis.own)).round() / 100.0;
+        assert_eq!(row("of all"), of(all));
+    }
+
+    #[test]
     fn every_published_set_is_of_a_robot_of_the_catalogue_and_disagreement_is_reported() {
         for set in PUBLISHED.iter() {
-            assert_eq!(robot(&set.robot).name, set.robot);
+            let robot = robot(&set.robot);
+            assert_eq!((robot.name.as_str(), super::size(&robot).unwrap()), (&*set.robot, set.size.into()));
             assert!(set.stiffness.iter().flatten().all(|k| (1e4..1e8).contains(k)), "{set:?}");
         }
         let found = with_prior(&robot("KR 500-2")).unwrap();
@@ -399,6 +430,20 @@ mod tests {
         };
         // By hand: 15.8 over 6.5; geometric mean 10.13 MN m/rad; sd ln(2.43) / sqrt 2 = 0.63.
         assert!(drive == 0 && (ratio - 2.431).abs() < 1e-3);
+        // Drives that no publication shows are those of the prior, and are named.
+        let shown = robot("KR 210 R2700 extra");
+        let [published, by_size] =
+            [with_prior(&shown).unwrap().drive_compliance(), by_size(&shown).unwrap().0.map(Some)];
+        let kr210 = with_prior(&shown).unwrap();
+        let Some(Knowledge::Published { drives: which, .. }) = kr210.scatter().map(|of| &of.knowledge) else {
+            panic!("{kr210:?}")
+        };
+        assert_eq!(*which, [true, true, true, false, false, true]);
+        assert_eq!(std::array::from_fn(|i| published[i] != by_size[i]), *which);
+        // Another robot of that name is not that robot.
+        let small = Robot { payload_kg: Some(20.0), ..shown };
+        let found = with_prior(&small).unwrap();
+        assert_eq!(found.scatter().unwrap().knowledge, Knowledge::Prior);
         assert!((drives.compliance.0[0] * 10.134e6 - 1.0).abs() < 1e-3 && (scatter.own[0] - 0.628).abs() < 1e-3);
     }
 

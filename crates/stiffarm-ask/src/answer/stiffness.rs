@@ -3,7 +3,7 @@
 use super::numbers::{digits, fixed};
 use super::{Record, field, uncertainty};
 use stiffarm::catalogue::microradians;
-use stiffarm::drive::{JointCompliance, Scatter};
+use stiffarm::drive::{JointCompliance, Knowledge, Scatter};
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 
 /// The name of the line that tells it.
@@ -37,7 +37,7 @@ pub fn stiffness(robot: &Robot) -> String {
         }
         StiffnessSource::Published => {
             let differ = uncertainty::disagreement(robot).map_or_else(String::new, |sentence| format!("; {sentence}"));
-            format!("{values} urad/(N m) on {drives}, as published, {}{differ}", within(robot))
+            format!("{values} urad/(N m) on {drives}, as published{}, {}{differ}", by_the_prior(robot), within(robot))
         }
         StiffnessSource::Given if is_uniform && 0.0 < urad[0] => {
             format!("given: {values} urad/(N m) on {drives}, {} MN m/rad", rounded(1.0 / urad[0]))
@@ -46,6 +46,19 @@ pub fn stiffness(robot: &Robot) -> String {
     };
     let compensated = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
     if compensated { format!("{text}; drive 2 with its gravity compensator") } else { text }
+}
+
+/// Which drives of a robot no publication shows: ` (4, 5: the prior by payload and reach)`.
+fn by_the_prior(robot: &Robot) -> String {
+    let Some(Knowledge::Published { drives, .. }) = robot.scatter().map(|scatter| &scatter.knowledge) else {
+        return String::new();
+    };
+    let others: Vec<String> = (1..=6).filter(|drive| !drives[drive - 1]).map(|drive| drive.to_string()).collect();
+    if others.is_empty() {
+        others.concat()
+    } else {
+        format!(" ({}: the prior by payload and reach)", others.join(", "))
+    }
 }
 
 /// Who says how stiff the drives of some robots are, each once.

@@ -117,7 +117,7 @@ pub(super) fn sentence(label: &str, mut known: Vec<(&str, Chances)>) -> Option<S
 pub(super) fn disagreement(robot: &Robot) -> Option<String> {
     let Arm::SixAxis { drives, .. } = &robot.arm else { return None };
     match &drives.scatter.as_ref()?.knowledge {
-        Knowledge::Published { disagreement: Some((drive, ratio)), sources } => {
+        Knowledge::Published { disagreement: Some((drive, ratio)), sources, .. } => {
             Some(format!("{} publications differ by a factor of {ratio:.1} in drive {}", sources.len(), drive + 1))
         }
         Knowledge::Published { .. } | Knowledge::Prior => None,
