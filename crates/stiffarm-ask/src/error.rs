@@ -142,7 +142,7 @@ pub enum AskError {
     #[error(transparent)]
     Modes(stiffarm::modes::ModesError),
     /// Whether a cut swings cannot be computed.
-    #[error("{file}: {error}")]
+    #[error("{}{error}", of_process(file, error))]
     Chatter {
         /// The process file.
         file: String,
@@ -286,6 +286,11 @@ impl AskError {
 }
 
 /// What makes a description usable; nothing that was done already.
+/// The file that is at fault, where that is the process rather than what is known of the robot.
+fn of_process(file: &str, error: &ChatterError) -> String {
+    if matches!(error, ChatterError::Modes(_)) { String::new() } else { format!("{file}: ") }
+}
+
 fn import_hint(error: &ImportError, ends_are_given: bool) -> &'static str {
     match error {
         ImportError::Xacro { .. } => {

@@ -74,12 +74,6 @@ impl Linear {
         self.of.iter().enumerate().filter_map(|(block, point)| Some((3 * block, (*point)?)))
     }
 
-    /// How far unknowns with a covariance leave the points open: the sum of the variances of their coordinates.
-    pub(crate) fn open(&self, covariance: &DMatrix<f64>) -> f64 {
-        let spread = &self.jacobian * covariance;
-        self.points().map(|(at, _)| spread.rows(at, 3).dot(&self.jacobian.rows(at, 3))).sum()
-    }
-
     /// The sum of the weights of the points.
     pub(crate) fn point_weight(&self) -> f64 {
         self.points().map(|(at, _)| self.weight[at]).sum()
@@ -210,19 +204,25 @@ impl Problem<'_> {
     ) -> (DMatrix<f64>, DVector<f64>) {
         let n = self.unknowns();
         let rows: Vec<&Linear> = rows.collect();
-        let sums =
-            |_, some: &[&Linear]| some.chunks(TOGETHER).map(|some| summed(some, n, self.common)).collect::<Vec<_>>();
+        // What is held moves nothing, and is not multiplied.
+        let free: Vec<usize> = (0..n).filter(|&i| !self.is_held(i)).collect();
+        let sums = |_, some: &[&Linear]| {
+            some.chunks(TOGETHER).map(|some| summed(some, &free, self.common)).collect::<Vec<_>>()
+        };
         let parts = parallel::take_each(rows.chunks(AT_A_TIME), sums);
         // In the order of the rows, whoever has finished first.
-        let nothing = (DMatrix::zeros(n, n), DVector::zeros(n));
-        let (mut h, mut g) =
+        let nothing = (DMatrix::zeros(free.len(), free.len()), DVector::zeros(free.len()));
+        let (of_free, slope) =
             parts.into_iter().flatten().fold(nothing, |(h, g), (more_h, more_g)| (h + more_h, g + more_g));
-        for i in 0..n {
-            if self.is_held(i) {
-                h[(i, i)] = 1.0;
-            } else if let Some(parameter) = i.checked_sub(self.first_parameter()) {
-                h[(i, i)] += self.precision[parameter];
-                g[i] -= self.precision[parameter] * state.parameters[parameter];
+        let (mut h, mut g) = (DMatrix::identity(n, n), DVector::zeros(n));
+        for (j, &column) in free.iter().enumerate() {
+            for (i, &row) in free.iter().enumerate() {
+                h[(row, column)] = of_free[(i, j)];
+            }
+            g[column] = slope[j];
+            if let Some(parameter) = column.checked_sub(self.first_parameter()) {
+                h[(column, column)] += self.precision[parameter];
+                g[column] -= self.precision[parameter] * state.parameters[parameter];
             }
         }
         (h, g)
@@ -319,20 +319,36 @@ impl Problem<'_> {
     }
 }
 
-/// How `n` unknowns move what is expected of some rows, one row below the other.
-pub(crate) fn stacked(rows: &[&Linear], n: usize) -> DMatrix<f64> {
-    let mut all = DMatrix::zeros(rows.iter().map(|row| row.residual.len()).sum(), n);
+/// How some unknowns move what is expected of some rows, one row below the other.
+pub(crate) fn stacked(rows: &[&Linear], unknowns: &[usize]) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(rows.iter().map(|row| row.residual.len()).sum(), unknowns.len());
     let mut first = 0;
     for row in rows {
-        all.rows_mut(first, row.residual.len()).copy_from(&row.jacobian);
-        first += row.residual.len();
+        let count = row.residual.len();
+        for (column, &unknown) in unknowns.iter().enumerate() {
+            all.view_mut((first, column), (count, 1)).copy_from(&row.jacobian.column(unknown));
+        }
+        first += count;
     }
     all
 }
 
-/// `J' C^-1 J` and `J' C^-1 r` of some rows with `n` unknowns: as one product of large matrices, which is many times faster than one a row.
-fn summed(rows: &[&Linear], n: usize, common: f64) -> (DMatrix<f64>, DVector<f64>) {
-    let mut jacobian = stacked(rows, n);
+/// How far unknowns with a covariance leave some quantities open, of which each has so many rows of `moved` one below the other: the sums of the
+/// variances. As one product of large matrices, which is many times faster than one for each.
+pub(crate) fn open(moved: &DMatrix<f64>, counts: impl Iterator<Item = usize>, covariance: &DMatrix<f64>) -> Vec<f64> {
+    let spread = moved * covariance;
+    let mut first = 0;
+    let of = |count: usize| {
+        let open = spread.rows(first, count).dot(&moved.rows(first, count));
+        first += count;
+        open
+    };
+    counts.map(of).collect()
+}
+
+/// `J' C^-1 J` and `J' C^-1 r` of some rows by some unknowns: as one product of large matrices, too.
+fn summed(rows: &[&Linear], unknowns: &[usize], common: f64) -> (DMatrix<f64>, DVector<f64>) {
+    let mut jacobian = stacked(rows, unknowns);
     let all = |of: fn(&Linear) -> &DVector<f64>| {
         DVector::from_iterator(jacobian.nrows(), rows.iter().flat_map(|row| of(row).iter().copied()))
     };
@@ -341,7 +357,9 @@ fn summed(rows: &[&Linear], n: usize, common: f64) -> (DMatrix<f64>, DVector<f64
     jacobian.column_iter_mut().for_each(|mut column| column.component_mul_assign(&weight));
     let mut first = 0;
     for row in rows.iter().filter(|_| 0.0 < common) {
-        let together = row.summed(&row.jacobian) * row.shared(common);
+        let mut together = DMatrix::zeros(3, unknowns.len());
+        row.points().for_each(|(at, _)| together += jacobian.rows(first + at, 3));
+        together *= row.shared(common);
         for (at, _) in row.points() {
             let mut of_point = jacobian.rows_mut(first + at, 3);
             of_point -= &together * row.weight[at];

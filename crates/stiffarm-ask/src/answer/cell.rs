@@ -23,16 +23,19 @@ pub(super) fn elevation(options: &PlaceOptions) -> f64 {
     axis.z.atan2(axis.xy().norm())
 }
 
+/// What a line is called that says where the work may stand.
+pub(super) const WINDOW: &str = "allowed place";
+
 /// The mount, where the work may stand and what is kept free.
 pub(super) fn lines(cell: &Cell, within: &Within) -> Vec<Line> {
     let mut lines = vec![line("mount", mount(&cell.mount))];
     let windows: Vec<Window> = cell.windows().collect();
     if windows.is_empty() && cell.azimuth.is_none() {
-        lines.push(line("allowed place", window(within, "the base")));
+        lines.push(line(WINDOW, window(within, "the base")));
     } else if windows.is_empty() {
-        lines.push(line("allowed place", "anywhere above the cell's floor"));
+        lines.push(line(WINDOW, "anywhere above the cell's floor"));
     }
-    lines.extend(windows.iter().map(|window| line("allowed place", window_in_words(window))));
+    lines.extend(windows.iter().map(|window| line(WINDOW, window_in_words(window))));
     let kept = cell.keep_out().enumerate();
     lines.extend(kept.map(|(i, block)| line(format!("keep-out {}", i + 1), block_in_words(&block))));
     lines.extend(cell.clearance.map(|asked| line("clearance asked", format!("{} mm", fixed(asked * 1e3, 0)))));

@@ -31,7 +31,7 @@ pub struct CompareAnswer {
 /// A row of the table: what it says of a setup, where that has it.
 type Says = fn(&PlaceAnswer) -> Option<String>;
 
-const LINES: [(&str, Says); 22] = [
+const LINES: [(&str, Says); 23] = [
     ("robot", |side| Some(side.robot.full_name())),
     ("architecture", |side| Some(words::architecture(&side.robot))),
     ("status", |side| Some(words::status(&side.robot).into())),
@@ -48,7 +48,13 @@ const LINES: [(&str, Says); 22] = [
     ),
     ("worst deflection [mm]", |side| side.best().map(|best| fixed(best.deflection * 1e3, 4))),
     ("proved lower bound [mm]", |side| side.best().map(|best| fixed(best.lower_bound * 1e3, 4))),
-    ("centre x, z [m]", |side| side.best().map(|best| best.centre.map(|metres| fixed(metres, 4)).join(", "))),
+    ("centre in the cell x, y, z [m]", |side| {
+        let (best, cell) = side.best().zip(side.options.cell.as_ref())?;
+        Some(best.in_cell(cell).map(|metres| fixed(metres, 4)).join(", "))
+    }),
+    ("centre from the base x, z [m]", |side| {
+        side.best().map(|best| best.centre.map(|metres| fixed(metres, 4)).join(", "))
+    }),
     ("angle of the first side", |side| side.best().map(|best| degrees(best.angle))),
     ("configuration", |side| {
         let best = side.best()?;

@@ -19,7 +19,7 @@ use stiffarm::advice::Advice;
 use stiffarm::clearance::Clearance;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
-use stiffarm::place::{Margins, PlaceOptions};
+use stiffarm::place::{Margins, PlaceOptions, Placement};
 use stiffarm::rank::{Rank, Ranking, Row};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::uncertainty::{Chances, Spread, chances_of, drawn_in};
@@ -242,6 +242,20 @@ impl RankAnswer {
         Rows::new(columns, rows)
     }
 
+    /// What a place counts along: in a cell, where the work may stand at any bearing, along the axes of that.
+    fn axes(&self) -> &'static [&'static str] {
+        if self.options.cell.is_some() { &["x in the cell", "y", "z"] } else { &["x", "z"] }
+    }
+
+    /// Where a zone stands along these, m.
+    fn centre(&self, best: &Placement) -> Vec<String> {
+        let at = match &self.options.cell {
+            Some(cell) => best.in_cell(cell).to_vec(),
+            None => best.centre.to_vec(),
+        };
+        at.into_iter().map(|metres| fixed(metres, 3)).collect()
+    }
+
     /// For people: one row per robot.
     pub fn table(&self) -> Table {
         let Ranking { tasks, rows, in_plane, .. } = &self.ranking;
@@ -250,12 +264,9 @@ impl RankAnswer {
             headings.push("bound".into());
         }
         headings.extend(tasks.iter().map(|task| task.label.clone()));
+        let axes = self.axes();
         let places: Vec<String> = match tasks.as_slice() {
-            // Beside windows that count from the cell's floor.
-            [_] if self.options.cell.is_some() => {
-                ["x from base [m]", "z from base [m]", "margin [deg]"].map(Into::into).into()
-            }
-            [_] => ["x [m]", "z [m]", "margin [deg]"].map(Into::into).into(),
+            [_] => axes.iter().map(|axis| format!("{axis} [m]")).chain(["margin [deg]".into()]).collect(),
             several => several.iter().map(|task| format!("{} at [m, deg]", task.label)).collect(),
         };
         let is_several = 1 < tasks.len();
@@ -290,12 +301,15 @@ impl RankAnswer {
                 cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
             }
             cells.extend((0..tasks.len()).map(|task| self.cell(at, task, &leading[task])));
-            for place in (0..tasks.len()).map(|task| placed(row, task)) {
-                match place {
+            for best in (0..tasks.len()).map(|task| row.placement(task)) {
+                match best {
                     None if is_several => cells.push("-".into()),
-                    None => cells.extend(vec!["-".to_owned(); 3]),
-                    Some([x, z, margin]) if is_several => cells.push(format!("x {x}, z {z}; {margin}")),
-                    Some(place) => cells.extend(place),
+                    None => cells.extend(vec!["-".to_owned(); axes.len() + 1]),
+                    Some(best) if is_several => {
+                        let at = axes.iter().zip(self.centre(best)).map(|(axis, metres)| format!("{axis} {metres}"));
+                        cells.push(format!("{}; {}", at.collect::<Vec<_>>().join(", "), smallest_margin(best)));
+                    }
+                    Some(best) => cells.extend(self.centre(best).into_iter().chain([smallest_margin(best)])),
                 }
             }
             cells.push(row.mean_ratio.map_or_else(|| "-".into(), |ratio| fixed(ratio, 3)));
@@ -397,12 +411,8 @@ impl RankAnswer {
     }
 }
 
-/// Where a row's zone stands, ahead and up, m, and the smallest margin there, deg, with what it is of.
-fn placed(row: &Row, task: usize) -> Option<[String; 3]> {
-    let best = row.placement(task)?;
-    let [x, z] = best.centre.map(|metres| fixed(metres, 3));
-    let margin = best
-        .smallest_margin()
-        .map_or_else(|| "-".into(), |(least, of)| format!("{} {}", fixed(least.to_degrees(), 1), margins::short(of)));
-    Some([x, z, margin])
+/// The smallest margin of a place, deg, with what it is of.
+fn smallest_margin(best: &Placement) -> String {
+    best.smallest_margin()
+        .map_or_else(|| "-".into(), |(least, of)| format!("{} {}", fixed(least.to_degrees(), 1), margins::short(of)))
 }

@@ -9,7 +9,7 @@ use stiffarm::catalogue::{Faults, ProcessFile, files, read_process_beside};
 use stiffarm::chatter::{MeasuredTip, read_response};
 use stiffarm::watch::{Stopped, Watch};
 
-use crate::answer::TipFile;
+use crate::answer::{TipFile, fixed};
 use crate::error::AskError;
 use crate::request::Request;
 use crate::sources::Sources;
@@ -90,7 +90,16 @@ pub(super) fn under_process<'a>(asked: &'a Request, context: Context) -> Result<
     for remark in &read.assumed {
         context.listener.remark(&format!("note: {remark}"));
     }
-    Ok(Cow::Owned(asked.under(&read.process)?))
+    let under = asked.under(&read.process)?;
+    if let Ok(moment) = read.process.force().map(|force| force.moment)
+        && moment != 0.0
+    {
+        context.listener.remark(&format!(
+            "note: {name}: its mean moment about the tool axis, {} N m, is left out of a zone; along a path `mill` counts it",
+            fixed(moment, 2)
+        ));
+    }
+    Ok(Cow::Owned(under))
 }
 
 /// What was measured at a tip, where that is given.

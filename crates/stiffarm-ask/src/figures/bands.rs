@@ -165,7 +165,7 @@ impl Bands {
         let (name, unit) =
             title.rsplit_once(" [").map_or((title, String::new()), |(name, unit)| (name, format!(" [{unit}")));
         let room = bottom - top + 30.0;
-        let mut lines = font.wrapped(name, room, 2);
+        let mut lines = font.wrapped(name, room, 3);
         if let Some(last) = lines.last_mut() {
             *last = font.cut(last, room - font.width(&unit)) + &unit;
         }

@@ -100,7 +100,8 @@ pub(super) fn at_work(
         chain: &chain,
     };
     let linear = problem.linear(&fitted.state);
-    let moved = stacked(&linear.iter().collect::<Vec<_>>(), problem.unknowns());
+    let unknowns: Vec<usize> = (0..problem.unknowns()).collect();
+    let moved = stacked(&linear.iter().collect::<Vec<_>>(), &unknowns);
     // Where instrument and point are found anew, least squares take the part of the errors that they explain.
     let anew = matches!(work, Work::OtherDay(_)).then(|| {
         let point = problem.first_point();

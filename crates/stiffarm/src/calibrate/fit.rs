@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::level::Level;
 use crate::chain::{ALL, Chain, FRAMES, Frames};
-use crate::registration::{Linear, Problem, Sight, State};
+use crate::registration::{self, Linear, Problem, Sight, State};
 
 /// m and rad: within which the scale of the frames' errors is looked for.
 pub(super) const SCALES: [f64; 2] = [0.1e-3, 2e-3];
@@ -145,11 +145,8 @@ impl Rows<'_> {
             let shown: f64 = shares(&covariance, given).iter().sum();
             return Some(self.spare(rows, shown) / coordinates(rows) as f64);
         }
-        let (mut taken, mut count) = (0.0, 0_usize);
-        for row in rows {
-            taken += row.open(&covariance);
-            count += 3 * row.points().count();
-        }
+        let count = 3 * rows.iter().map(|row| row.points().count()).sum::<usize>();
+        let taken: f64 = points_open(rows.iter(), &covariance).iter().sum();
         Some((1.0 - taken / (count as f64 * (1.0 + given.common))).max(1.0 / count as f64))
     }
 
@@ -200,6 +197,18 @@ fn shares(inverse: &DMatrix<f64>, Given { prior, noise, .. }: Given) -> Vec<f64>
     prior.iter().enumerate().map(share).collect()
 }
 
+/// How far unknowns with a covariance leave the points of each row open: the sum of the variances of their coordinates.
+pub(super) fn points_open<'r>(rows: impl Iterator<Item = &'r Linear>, covariance: &DMatrix<f64>) -> Vec<f64> {
+    let rows: Vec<&Linear> = rows.collect();
+    let counts: Vec<usize> = rows.iter().map(|row| 3 * row.points().count()).collect();
+    let mut moved = DMatrix::zeros(counts.iter().sum(), covariance.nrows());
+    let of_points = rows.iter().flat_map(|row| row.points().map(|(at, _)| row.jacobian.rows(at, 3)));
+    for (i, of_point) in of_points.enumerate() {
+        moved.rows_mut(3 * i, 3).copy_from(&of_point);
+    }
+    registration::open(&moved, counts.into_iter(), covariance)
+}
+
 /// What rows tell of noise and of what points of a posture share.
 struct Shared {
     /// Of each row: the sum of the weights `S`, the square of `sum w r`, and how far the unknowns leave that open, in parts of the noise's
@@ -212,12 +221,19 @@ struct Shared {
 impl Shared {
     /// Of rows about a state, with the inverse of `H`.
     fn of(rows: &[Linear], inverse: &DMatrix<f64>) -> Self {
-        let of_row = |row: &Linear| {
+        let mut moved = DMatrix::zeros(3 * rows.len(), inverse.nrows());
+        for (i, row) in rows.iter().enumerate() {
+            moved.rows_mut(3 * i, 3).copy_from(&row.summed(&row.jacobian));
+        }
+        let open = registration::open(&moved, rows.iter().map(|_| 3), inverse);
+        let of_row = |(row, open): (&Linear, f64)| {
             let residual = DMatrix::from_column_slice(row.residual.len(), 1, row.residual.as_slice());
-            let moved = row.summed(&row.jacobian);
-            [row.point_weight(), row.summed(&residual).norm_squared(), (&moved * inverse).dot(&moved)]
+            [row.point_weight(), row.summed(&residual).norm_squared(), open]
         };
-        Self { rows: rows.iter().map(of_row).collect(), squares: rows.iter().map(|row| row.squares(0.0)).sum() }
+        Self {
+            rows: rows.iter().zip(open).map(of_row).collect(),
+            squares: rows.iter().map(|row| row.squares(0.0)).sum(),
+        }
     }
 
     /// Noise and shared variance at the fixed point of their evidence, as far as rows and unknowns stay as they are: of how far each

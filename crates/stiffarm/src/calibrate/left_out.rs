@@ -1,8 +1,8 @@
 //! What does a fit say of postures that it has not seen? A third of each joint's range is predicted by the rest of the rows.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DVector, Dyn};
 
-use super::fit::{Fitted, Rows};
+use super::fit::{Fitted, Rows, points_open};
 use crate::registration::{Linear, Sight};
 
 /// rad: a joint that moves by less has no thirds.
@@ -15,8 +15,8 @@ struct Third<'r> {
     rows: Vec<&'r Linear>,
     /// From the fit with all rows to that without them.
     step: DVector<f64>,
-    /// Of the unknowns by the other rows, in parts of the variance of a reading.
-    covariance: DMatrix<f64>,
+    /// The root of `H` of the other rows.
+    root: Cholesky<f64, Dyn>,
 }
 
 /// Distances of what is left out.
@@ -27,21 +27,37 @@ pub(super) struct LeftOut {
     pub(super) expected: f64,
 }
 
-/// How far what is left out is off; `None` where no third can be.
+impl Third<'_> {
+    /// How many points are left out, and the sum of their squared distances.
+    fn missed(&self) -> (usize, f64) {
+        let of_row = |row: &&Linear| {
+            let missed = &row.residual - &row.jacobian * &self.step;
+            row.points().map(|(at, _)| missed.rows(at, 3).norm_squared()).collect::<Vec<f64>>()
+        };
+        let all: Vec<f64> = self.rows.iter().flat_map(of_row).collect();
+        (all.len(), all.iter().sum())
+    }
+}
+
+/// How far what is left out is off, root mean square, m; `None` where no third can be.
 ///
 /// The fit without some rows is one step from the fit with all: `H' = H - J'WJ` of those rows. The step is exact but for the second order of
 /// errors of some mrad, which is some um.
+pub(super) fn rms(rows: &Rows, fitted: &Fitted) -> Option<f64> {
+    let missed = thirds(rows, fitted).map(|third| third.missed());
+    let (count, squares) = missed.fold((0, 0.0), |(count, sum), (more, squares)| (count + more, sum + squares));
+    (0 < count).then(|| (squares / count as f64).sqrt())
+}
+
+/// The same with what is expected of it.
 pub(super) fn left_out(rows: &Rows, fitted: &Fitted) -> Option<LeftOut> {
-    let (mut squares, mut expected, mut count) = (0.0, 0.0, 0_usize);
-    for Third { rows, step, covariance } in thirds(rows, fitted) {
-        for row in rows {
-            expected += row.open(&covariance);
-            for (at, _) in row.points() {
-                squares += (row.residual.rows(at, 3) - row.jacobian.rows(at, 3) * &step).norm_squared();
-                expected += 3.0 * (1.0 + fitted.common);
-                count += 1;
-            }
-        }
+    let (mut count, mut squares, mut expected) = (0, 0.0, 0.0);
+    for third in thirds(rows, fitted) {
+        let (of_third, missed) = third.missed();
+        // Of the unknowns by the other rows, in parts of the variance of a reading.
+        let open = points_open(third.rows.iter().copied(), &third.root.inverse());
+        expected += open.iter().sum::<f64>() + 3.0 * (1.0 + fitted.common) * of_third as f64;
+        (count, squares) = (count + of_third, squares + missed);
     }
     let root_mean = |sum: f64| (sum / count as f64).sqrt();
     (0 < count).then(|| LeftOut { rms: root_mean(squares), expected: fitted.noise * root_mean(expected) })
@@ -72,9 +88,5 @@ fn without<'r>(rows: &Rows, fitted: &'r Fitted, is_out: impl Fn(usize) -> bool) 
     }
     let (h, g) = rows.normal(rest.iter().map(|&i| &fitted.rows[i]), &fitted.state, fitted.given());
     let root = h.cholesky()?;
-    Some(Third {
-        rows: out.iter().map(|&i| &fitted.rows[i]).collect(),
-        step: root.solve(&g),
-        covariance: root.inverse(),
-    })
+    Some(Third { rows: out.iter().map(|&i| &fitted.rows[i]).collect(), step: root.solve(&g), root })
 }

@@ -31,7 +31,7 @@ pub use at_work::AtWork;
 use drives::DrivesPrior;
 use fit::{Fitted, Rows};
 use judged::Question;
-use left_out::{LeftOut, left_out};
+use left_out::left_out;
 pub use level::{GEARS_PRIOR, Level, WEIGHT_PRIOR};
 use robust::Sound;
 pub use robust::WrongRow;
@@ -268,9 +268,8 @@ pub fn calibrate(
     let judged = question.judged(sound, &is_too_much)?;
     let taken = judged.best(options.level).ok_or(CalibrateError::Undetermined)?;
     let (rows, best) = (judged.rows(taken), &judged.fits[taken]);
-    let out: Vec<Option<LeftOut>> =
-        judged.fits.iter().enumerate().map(|(i, fitted)| left_out(judged.rows(i), fitted)).collect();
-    let at_work = at_work::at_work(rows, best, out[taken].as_ref(), (limits, &options.work))?;
+    let out = left_out(rows, best);
+    let at_work = at_work::at_work(rows, best, out.as_ref(), (limits, &options.work))?;
     let deviation: Vec<f64> = (0..chain::ALL).map(|i| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt()).collect();
     let drives = weighed
         .as_ref()
@@ -284,7 +283,13 @@ pub fn calibrate(
     let compliance = drives.map(|drives| drives.map(|drive| drive.posterior));
     Ok(Calibrated {
         level: best.level.ok_or(CalibrateError::Undetermined)?,
-        levels: (0..out.len()).map(|i| level_fit(judged.rows(i), &judged.fits[i], out[i].as_ref())).collect(),
+        levels: (0..judged.fits.len())
+            .map(|i| {
+                let (rows, fitted) = (judged.rows(i), &judged.fits[i]);
+                let of_taken = out.as_ref().filter(|_| i == taken).map(|out| out.rms);
+                level_fit(rows, fitted, of_taken.or_else(|| left_out::rms(rows, fitted)))
+            })
+            .collect(),
         errors: Errors { drives: compliance, ..errors_of(&best.state.parameters) },
         drives,
         has_masses: question.weighed.is_some(),
@@ -343,7 +348,7 @@ fn sights(readings: &Readings) -> Result<Vec<Sight>, CalibrateError> {
         .collect())
 }
 
-fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<&LeftOut>) -> LevelFit {
+fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
     let mut off: Vec<f64> = robust::distances(&fitted.rows).into_iter().map(|(_, _, off)| off).collect();
     off.sort_by(f64::total_cmp);
     let at = |share: f64| off[((off.len() as f64 * share) as usize).min(off.len() - 1)];
@@ -354,7 +359,7 @@ fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<&LeftOut>) -> LevelF
         median: at(0.5),
         p95: at(0.95),
         largest: off.last().copied().unwrap_or(0.0),
-        left_out: left_out.map(|found| found.rms),
+        left_out,
         evidence: fitted.evidence,
         shown: fitted.shown,
     }

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use parry3d_f64::math::Vector;
+use parry3d_f64::math::{Pose as ParryPose, Vector};
 use parry3d_f64::query::{PointQuery, distance};
 use parry3d_f64::shape::{Shape, TriMesh, TriMeshFlags};
 
-use super::solid::{Ball, parry};
+use super::solid::{Ball, Solid, parry};
 use crate::body::Capsule;
 use crate::catalogue::stl::Surface;
 use crate::spatial::Pose;
@@ -89,11 +89,20 @@ impl Mesh {
         -capsule.way_back(-most, |drawn| 0.0 < apart_from(drawn))
     }
 
+    /// To a solid, m; 0 or less where they overlap.
+    pub(super) fn apart_from_solid(&self, pose: &Pose, solid: &Solid) -> f64 {
+        let (at, _) = solid.bounds();
+        solid.with_shape(|stands, shape| self.apart_from_shape(pose, stands, shape, &at.translation.vector))
+    }
+
     /// To a convex shape one of whose points is known; what lies wholly inside is as far from outside as from the surface.
     fn apart(&self, pose: &Pose, at: &Pose, shape: &dyn Shape, point: &Vector3<f64>) -> f64 {
+        self.apart_from_shape(pose, &parry(at), shape, point)
+    }
+
+    fn apart_from_shape(&self, pose: &Pose, at: &ParryPose, shape: &dyn Shape, point: &Vector3<f64>) -> f64 {
         let Ready { mesh, is_closed, .. } = &*self.0;
-        let apart =
-            distance(&parry(at), shape, &parry(pose), mesh).expect("parry knows convex shapes and triangles").distance;
+        let apart = distance(at, shape, &parry(pose), mesh).expect("parry knows convex shapes and triangles").distance;
         if 0.0 < apart && *is_closed {
             let local = pose.inverse_transform_point(&(*point).into());
             if mesh.contains_local_point(Vector::from(<[f64; 3]>::from(local.coords))) {
@@ -108,7 +117,6 @@ impl Mesh {
 mod tests {
     use nalgebra::UnitQuaternion;
 
-    use super::super::solid::Solid;
     use super::*;
 
     /// The triangles of a box whose corners have the numbers from `first` on.

@@ -4,6 +4,7 @@
 
 mod links;
 mod mesh;
+mod misplaced;
 mod nearest;
 mod solid;
 mod stock;
@@ -20,6 +21,7 @@ use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::stock::Remains;
 pub use mesh::Mesh;
+pub use misplaced::Misplaced;
 pub(crate) use nearest::Looked;
 pub(crate) use solid::Solid;
 pub(crate) use thick::ThickArm;

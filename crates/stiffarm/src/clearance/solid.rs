@@ -171,11 +171,24 @@ impl Solid {
     }
 
     /// The box about it, by half its sides, m.
-    fn bounds(&self) -> (&Pose, Vector3<f64>) {
+    pub(super) fn bounds(&self) -> (&Pose, Vector3<f64>) {
         match self {
             Self::Box { pose, half } => (pose, Vector3::from(*half)),
             Self::Disc { pose, radius, half_thickness } => (pose, Vector3::new(*radius, *radius, *half_thickness)),
         }
+    }
+
+    /// How deep the box about some points, along its own sides, reaches into the box about it, m; negative where they are apart.
+    pub(super) fn depth_of(&self, points: &[Vector3<f64>]) -> f64 {
+        let (pose, half) = self.bounds();
+        let own: Vec<Vector3<f64>> =
+            points.iter().map(|point| pose.inverse_transform_point(&(*point).into()).coords).collect();
+        let along = |axis: usize| {
+            let ends = own.iter().map(|point| point[axis]);
+            let (low, high) = (ends.clone().fold(f64::INFINITY, f64::min), ends.fold(f64::NEG_INFINITY, f64::max));
+            (high + half[axis]).min(half[axis] - low)
+        };
+        (0..3).map(along).fold(f64::INFINITY, f64::min)
     }
 
     /// Nothing of it stands higher than the base, in whose axes it is.
@@ -205,7 +218,7 @@ impl Solid {
         shared.is_ok_and(|shared| shared.intersecting)
     }
 
-    fn with_shape<R>(&self, ask: impl FnOnce(&ParryPose, &dyn Shape) -> R) -> R {
+    pub(super) fn with_shape<R>(&self, ask: impl FnOnce(&ParryPose, &dyn Shape) -> R) -> R {
         match self {
             Self::Box { pose, half } => ask(&parry(pose), &Cuboid::new(Vector::from(*half))),
             Self::Disc { pose, radius, half_thickness } => {

@@ -29,6 +29,23 @@ fn nearest(robot: &Robot, tool: Option<f64>, theta: [f64; 6], about: &Surroundin
     ((found.distance * 1e6).round() / 1e6, found.link, found.to)
 }
 
+/// Capsules enclose the links of this arm, and nobody knows its tool.
+#[test]
+fn what_is_estimated_is_told_of_the_bodies_that_are_nearest() {
+    let robot = find("KR 240 R2900-2").unwrap().robot();
+    let thick = ThickArm::new(&robot, &Pose::translation(0.0, 0.0, 0.2), None).unwrap();
+    let is_estimated = |link: Link, to: Obstacle| {
+        let near = Near { distance: 0.1, link, to };
+        thick.clearance_of(near, None, 1).is_estimated
+    };
+    assert!(robot.enclosing.is_some());
+    assert!(is_estimated(Link::Tool, Obstacle::Floor));
+    assert!(is_estimated(Link::Column, Obstacle::Link(Link::Tool)));
+    for link in [Link::Column, Link::UpperArm, Link::Forearm, Link::Wrist, Link::Cutter] {
+        assert!(!is_estimated(link, Obstacle::KeepOut(1)), "{link:?}");
+    }
+}
+
 /// Upper arm up, forearm level at 1.7 m, the wrist centre 1.3 m ahead.
 const LEVEL: [f64; 6] = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0];
 /// The same, the tool down.

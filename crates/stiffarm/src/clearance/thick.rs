@@ -34,7 +34,8 @@ pub(crate) struct ThickArm<'a> {
     /// Which links may meet, by their numbers, the lower one first: those between which others stand, but those of which it is known that they always
     /// touch.
     meets: [[bool; LINKS]; LINKS],
-    is_estimated: bool,
+    /// Nobody says how thick the tool is.
+    tool_is_estimated: bool,
     tool: Option<Tool>,
     /// From which share of it on the tool is compared with the forearm, which carries the wrist before it; `None` where it is not, as of
     /// estimated bodies.
@@ -53,13 +54,13 @@ impl<'a> ThickArm<'a> {
         let tool = (NO_TOOL < point.norm()).then_some(Tool { point, radius });
         let enclosing = robot.enclosing.as_ref();
         let wide = (is_estimated && enclosing.is_none()).then(|| robot.estimated_bodies(geometry));
-        let is_estimated = wide.is_some() || tool.is_some() && tool_radius.is_none();
         let not_compared = enclosing.map_or(&[][..], |enclosing| &enclosing.not_compared);
         let meets = |pair: [usize; 2]| may_meet(pair) && !not_compared.contains(&pair);
         let meets = std::array::from_fn(|low| std::array::from_fn(|high| meets([low, high])));
         // How thick an estimated forearm is where it carries the wrist says little.
         let free_from = tool.filter(|_| wide.is_none()).and_then(|tool| free_from(geometry, &body, enclosing, tool));
-        Some(Self { geometry, body, enclosing, wide, meets, is_estimated, tool, free_from, ends_at_wrist: false })
+        let tool_is_estimated = tool_radius.is_none();
+        Some(Self { geometry, body, enclosing, wide, meets, tool_is_estimated, tool, free_from, ends_at_wrist: false })
     }
 
     /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
@@ -141,6 +142,15 @@ impl<'a> ThickArm<'a> {
         }
     }
 
+    /// Nobody says how thick it is.
+    fn estimates(&self, link: Link) -> bool {
+        match link {
+            Link::Column | Link::UpperArm | Link::Forearm | Link::Wrist => self.wide.is_some(),
+            Link::Tool => self.tool_is_estimated,
+            Link::Cutter | Link::Shank => false,
+        }
+    }
+
     /// The nearest of so many poses, with how well that is known.
     pub(crate) fn clearance_of(
         &self,
@@ -148,9 +158,10 @@ impl<'a> ThickArm<'a> {
         wide: Option<Near>,
         poses: usize,
     ) -> Clearance {
-        let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
-        let other = if let Obstacle::Link(other) = to { self.outside(other) } else { 0.0 };
-        let outside = self.outside(link) + other;
+        let other = if let Obstacle::Link(other) = to { Some(other) } else { None };
+        let is_estimated = [Some(link), other].into_iter().flatten().any(|link| self.estimates(link));
+        let outside = self.outside(link) + other.map_or(0.0, |other| self.outside(other));
+        let knows_tool = !self.ends_at_wrist;
         let links = match (self.enclosing, &self.wide) {
             (Some(_), _) => LinksBy::Enclosing,
             (None, Some(_)) => LinksBy::Estimated,

@@ -187,17 +187,18 @@ pub fn forced(
     Ok(Forced { stations, remarks })
 }
 
+fn along_axis(station: &Station) -> bool {
+    station.sample.direction.is_some_and(|way| way.cross(&station.sample.pose.axis).norm() < STRAIGHT_DOWN)
+}
+
 /// What of a force does not go with the way that the tool feeds.
 fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
     let pushed = || stations.iter().filter(|station| station.acting.is_some());
-    let along_axis = |station: &&Station| {
-        station.sample.direction.is_some_and(|way| way.cross(&station.sample.pose.axis).norm() < STRAIGHT_DOWN)
-    };
     let mut found = Vec::new();
     let is_sideways = |station: &&Station| {
         station.acting.and_then(|acting| acting.force()).is_some_and(|[f, c, _]| f != 0.0 || c != 0.0)
     };
-    let plunges = pushed().filter(along_axis).filter(is_sideways).count();
+    let plunges = pushed().filter(|station| along_axis(station)).filter(is_sideways).count();
     if 0 < plunges {
         found.push(format!(
             "{plunges} samples feed along the tool axis: which way a force along the feed points is not known there, the part's x axis is taken"
@@ -240,17 +241,31 @@ fn about_chip(stations: &[Station], speeds: &[Option<f64>], forcing: &Forcing) -
     const ALIKE: f64 = 0.1;
     let Forcing::Process(Process { law: Law::Milling(milling), spindle, .. }) = forcing else { return None };
     let meant = milling.engagement.feed_per_tooth;
-    let fed = stations.iter().zip(speeds).filter(|(station, _)| station.acting.is_some());
-    let chips = fed
-        .filter_map(|(station, speed)| Some(station.sample.feed? * TAU / (speed.or(*spindle)? * milling.teeth as f64)));
-    let others = chips.filter(|chip| chip.is_finite() && ALIKE < (chip / meant - 1.0).abs());
-    let [low, high] = others.fold([f64::INFINITY, 0.0], |[low, high], chip| [chip.min(low), chip.max(high)]);
+    // Into the work a mill is fed otherwise than across it.
+    let fed = stations.iter().zip(speeds).filter(|(station, _)| station.acting.is_some() && !along_axis(station));
+    let chips: Vec<(f64, usize)> = fed
+        .filter_map(|(station, speed)| {
+            let chip = station.sample.feed? * TAU / (speed.or(*spindle)? * milling.teeth as f64);
+            chip.is_finite().then_some((chip, station.sample.line))
+        })
+        .collect();
+    let others: Vec<(f64, usize)> =
+        chips.iter().copied().filter(|(chip, _)| ALIKE < (chip / meant - 1.0).abs()).collect();
+    let (_, first) = others.first()?;
+    let [low, high] =
+        others.iter().fold([f64::INFINITY, 0.0], |[low, high], (chip, _)| [chip.min(low), chip.max(high)]);
     let mm = |metres: f64| format!("{:.4}", metres * 1e3).trim_end_matches('0').trim_end_matches('.').to_owned();
-    (low <= high).then(|| {
-        let chips = if mm(low) == mm(high) { mm(low) } else { format!("{} to {}", mm(low), mm(high)) };
-        let meant = mm(meant);
-        format!("the path feeds {chips} mm a tooth where the process means {meant}: the force is that of the process")
-    })
+    let fed = if mm(low) == mm(high) { mm(low) } else { format!("{} to {}", mm(low), mm(high)) };
+    let at = if *first == 0 { String::new() } else { format!(", first at line {first}") };
+    let share = if others.len() == chips.len() {
+        String::new()
+    } else {
+        format!(" on {} of {} samples{at}", others.len(), chips.len())
+    };
+    let meant = mm(meant);
+    Some(format!(
+        "the path feeds {fed} mm a tooth{share} where the process means {meant}: the force is that of the process"
+    ))
 }
 
 /// Where the path turns the spindle otherwise than the process means.

@@ -21,6 +21,7 @@ use super::solve::{self, MillOptions, Question, RollMode};
 use super::stations::{Station, check_normals};
 use super::{Followed, Milled, arm_with_margins, is_pinned};
 use crate::batch::{RollGrid, SpatialArm};
+use crate::clearance::Surroundings;
 use crate::enclose::ArmEnclosure;
 use crate::inverse::Configuration;
 use crate::parallel;
@@ -104,6 +105,8 @@ struct Search<'a> {
     options: &'a MillOptions,
     flange_from_tool: Pose,
     site: Site,
+    /// What stands about the robot, and the bodies of the work, in the frame of the part.
+    about: Option<Surroundings>,
     /// The middle of the path, part frame, m.
     middle: Vector3<f64>,
     /// Stations that stand for the path.
@@ -270,6 +273,7 @@ impl<'a> Search<'a> {
             stations,
             options,
             flange_from_tool: *flange_from_tool,
+            about: options.clear_of.as_ref().map(|clear_of| clear_of.surroundings(Pose::identity())),
             site,
             middle,
             keys: keys(stations, &middle),
@@ -294,6 +298,7 @@ impl Search<'_> {
         let middle = (base_from_part * Point3::from(self.middle)).coords;
         self.keys.iter().all(|i| self.site.allows([tip(&self.stations[*i])].into_iter(), &middle))
             && self.site.allows(self.stations.iter().map(tip), &middle)
+            && self.about.as_ref().is_none_or(|about| about.misplaced(base_from_part).is_empty())
     }
 
     /// The largest error of the samples that stand for the path, m, with so many rolls; infinite where some is not held.

@@ -29,7 +29,7 @@ fields! {
     ASKED_LIMIT_MARGIN: "asked_limit_margin_deg", Kind::Number(Unit::Degree), "What every joint was to keep from its limits.";
     ASKED_SINGULAR_MARGIN: "asked_singular_margin_deg", Kind::Number(Unit::Degree), "What wrist and arm were to keep from straight.";
     CLEAR_OF_BASE: "clear_of_base_m", Kind::Number(Unit::Metre), "What the zone was to keep from the joint-1 axis; null where it is not known where that stands.";
-    FLOOR_HEIGHT: "floor_m", Kind::Number(Unit::Metre), "Height of the floor above which the zone was to stand, from the base; null where there is none.";
+    FLOOR_HEIGHT: "floor_m", Kind::Number(Unit::Metre), "Height of the floor above which the zone was to stand, from the base; null where there is none, and where the base leans or is on a wall: the floor is then z = 0 of the cell.";
     FEASIBLE: "feasible", Kind::Truth, "There is a place; null where it is not known.";
     REASON: "reason", Kind::Text, "Why there is no place, or it is not known.";
     PROVED: "proved", Kind::Truth, "That there is no place is proved.";
@@ -42,7 +42,7 @@ fields! {
     WIN_PROBABILITY: "win_probability", Kind::List(&Kind::Maybe(&Kind::Number(Unit::One))), "In which share of the draws of the drive stiffness it has the least deflection, of each task; null where it has no place, is estimated, is not to be taken (its arm collides, it carries more than it may), or the uncertainty of its drives is not known.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::List(&Kind::Maybe(&Kind::Number(Unit::Millimetre))), "How much more than the best it has on average, of each task.";
     TIES_WITH_BEST: "ties_with_best", Kind::List(&Kind::Maybe(&Kind::Truth)), "It ties with the best: no other robot has a smaller deflection in more than 95 % of the draws of the drive stiffness, of each task; shared ranks are about the proof.";
-    X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
+    X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base; of a place that is turned about the joint-1 axis before it is turned (`bearing_deg`, `cell_m`).";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
     YAW: "yaw_deg", Kind::Number(Unit::Degree), "Of the zone's plane about the vertical.";
@@ -71,6 +71,9 @@ fields! {
     ASKED_CLEARANCE: "asked_clearance_mm", Kind::Number(Unit::Millimetre), "What the arm was to keep from everything; null where nobody looked.";
     CONTACTS: "contacts", Kind::Objects, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
     UNAVOIDABLE: "unavoidable", Kind::Object, "Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every configuration, as the one that is farthest from it has it. Null where nothing of that kind is known.";
+    MISPLACED: "misplaced", Kind::Objects, "What of the work (part, stock, fixture) stands more than 1 mm deep in a keep-out or below the floor; null where nobody looked.";
+    MISPLACED_BODIES: "bodies", Kind::Text, "What of the work, and what it reaches into.";
+    MISPLACED_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "How deep at most: by the boxes about both, along the sides of the keep-out.";
     CONTACT_WAY: "s_m", Kind::Number(Unit::Metre), "How far along the path it is nearest.";
     BODIES: "bodies", Kind::Text, "Which link to what.";
     CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";

@@ -7,11 +7,28 @@ use serde_json::json;
 use super::super::words::{bodies, clearance_between, is_of_arm, links_are};
 use super::super::{Datum, Line, Record, field, fixed, line, shape};
 use super::MillAnswer;
-use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
+use stiffarm::clearance::{Clearance, Link, LinksBy, Misplaced, Obstacle};
 use stiffarm::mill::{ClearOf, Contact, PathClearance};
 
 /// So many contacts are shown to people.
 const MOST_SHOWN: usize = 6;
+/// What overlaps, loud.
+const COLLISION: &str = "COLLISION";
+
+/// Work that stands where nothing may, in words.
+fn reaches(Misplaced { what, into, depth }: &Misplaced) -> String {
+    let depth = fixed(depth * 1e3, 0);
+    match into {
+        Obstacle::Floor => format!("the {what} stands up to {depth} mm below the floor"),
+        _ => format!("the {what} reaches up to {depth} mm into {into}"),
+    }
+}
+
+fn misplaced(Misplaced { what, into, depth }: &Misplaced) -> Record {
+    let mut record = Record::of(&shape::MISPLACED);
+    record.put(field::MISPLACED_BODIES, format!("{what} to {into}")).put(field::MISPLACED_DEPTH, *depth);
+    record
+}
 
 impl MillAnswer {
     /// How near the arm comes to anything; `None` where the path is not followed, or nobody asked.
@@ -40,8 +57,17 @@ impl MillAnswer {
         }
     }
 
-    /// Why no program is written, where that is because the arm touches something.
+    /// What of the work stands deepest where nothing may.
+    fn misplaced(&self) -> Option<&Misplaced> {
+        self.clearance()?.misplaced.iter().max_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// Why no program is written, where that is because the work stands where it may not, or the arm touches something.
     pub(super) fn forbidding_contact(&self) -> Option<String> {
+        if let Some(misplaced) = self.misplaced().filter(|_| !self.allows_contact) {
+            let what = reaches(misplaced);
+            return Some(format!("{what}; another place may keep clear, allow-contact takes it as it is"));
+        }
         let deepest = self.deepest().filter(|_| !self.allows_contact)?;
         if let Some(unavoidable) = self.unavoidable_sentence() {
             return Some(format!("{unavoidable}; another place may keep clear, allow-contact takes it as it is"));
@@ -55,8 +81,9 @@ impl MillAnswer {
     /// What a program says of contacts that are allowed, or that may be where bodies are estimated.
     pub(super) fn contact_remark(&self) -> Option<String> {
         let found = self.clearance()?;
-        if let Some(deepest) = self.deepest() {
-            return self.allows_contact.then(|| format!("WARNING: written although {}.", self.sentence(deepest)));
+        let touched = self.misplaced().map(reaches).or_else(|| self.deepest_sentence());
+        if let Some(touched) = touched {
+            return self.allows_contact.then(|| format!("WARNING: written although {touched}."));
         }
         let wide = found.nearest?.wide.filter(|wide| wide.distance < found.asked && is_of_arm(wide.link))?;
         let bodies = bodies(wide.link, wide.to);
@@ -66,7 +93,7 @@ impl MillAnswer {
     /// Loud, as places tell it: what overlaps, and what is nearer than was asked.
     fn called(&self, contact: Option<&Contact>) -> &'static str {
         let asked = self.clearance().map_or(0.0, |found| found.asked);
-        if contact.is_some_and(|contact| asked < contact.depth) { "COLLISION" } else { "TOO NEAR" }
+        if contact.is_some_and(|contact| asked < contact.depth) { COLLISION } else { "TOO NEAR" }
     }
 
     /// One contact in words.
@@ -124,7 +151,8 @@ impl MillAnswer {
             .put(field::ERROR_WITHOUT_WIDE, found.and_then(|found| found.without_wide))
             .put(field::ASKED_CLEARANCE, answer.and_then(|answer| Some(answer.options.clear_of.as_ref()?.clearance)))
             .put(field::CONTACTS, found.map(|found| found.contacts.iter().filter_map(contact).collect::<Datum>()))
-            .put(field::UNAVOIDABLE, found.and_then(|found| found.unavoidable.as_ref()).and_then(contact));
+            .put(field::UNAVOIDABLE, found.and_then(|found| found.unavoidable.as_ref()).and_then(contact))
+            .put(field::MISPLACED, found.map(|found| found.misplaced.iter().map(misplaced).collect::<Datum>()));
     }
 
     fn contact(&self, contact: &Contact) -> Record {
@@ -159,7 +187,8 @@ impl MillAnswer {
             others().take(MOST_SHOWN).map(|contact| line(self.called(Some(contact)), self.sentence(contact)));
         let more = others().count().saturating_sub(MOST_SHOWN);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
-        nearest.into_iter().chain(without_wide).chain(unavoidable).chain(contacts).chain(more).collect()
+        let misplaced = found.misplaced.iter().map(|misplaced| line(COLLISION, reaches(misplaced)));
+        misplaced.chain(nearest).chain(without_wide).chain(unavoidable).chain(contacts).chain(more).collect()
     }
 
     /// Which collisions were looked for, and which were not.
@@ -203,6 +232,9 @@ impl MillAnswer {
 
     /// What a manager would read of it.
     pub(in crate::answer) fn contact_sentence(&self) -> Option<String> {
+        if let Some(misplaced) = self.misplaced() {
+            return Some(format!("{COLLISION} of the work: {}.", reaches(misplaced)));
+        }
         Some(format!("{} of {}: {}.", self.called(self.deepest()), self.robot.full_name(), self.deepest_sentence()?))
     }
 

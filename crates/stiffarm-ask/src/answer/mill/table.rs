@@ -84,9 +84,9 @@ impl MillAnswer {
     pub(super) fn in_cell(&self) -> impl Iterator<Item = Line> {
         let PathGround { within, cell, .. } = self.ground;
         // Where the place is given, windows are none.
-        let most = if self.search.is_some() { usize::MAX } else { 1 };
+        let is_searched = self.search.is_some();
         let lines = cell.map(|cell| cell_report::lines(&cell, &within.unwrap_or(Within::ANYWHERE)));
-        lines.into_iter().flatten().take(most)
+        lines.into_iter().flatten().filter(move |[name, _]| is_searched || name != cell_report::WINDOW)
     }
 
     fn place_lines(&self) -> Vec<Line> {

@@ -18,7 +18,9 @@ impl RankAnswer {
         let is_scattered = spreads.iter().any(Option::is_some);
         let mut headings = vec!["task", "worst deflection [mm]", "proved lower bound [mm]"];
         headings.extend(is_scattered.then_some("90 % interval [mm]"));
-        headings.extend(["x [m]", "z [m]", "smallest margin", "clearance [mm]"]);
+        let mut headings: Vec<String> = headings.into_iter().map(Into::into).collect();
+        headings.extend(self.axes().iter().map(|axis| format!("{axis} [m]")));
+        headings.extend(["smallest margin", "clearance [mm]"].map(Into::into));
         let mut table = Table::new(headings);
         for (task, asked) in self.ranking.tasks.iter().enumerate() {
             let best = row.placement(task);
@@ -29,7 +31,8 @@ impl RankAnswer {
                     |spread: Spread| format!("{} .. {}", fixed(spread.p05 * 1e3, 3), fixed(spread.p95 * 1e3, 3));
                 cells.push(spreads[task].map_or_else(|| "-".into(), interval));
             }
-            cells.extend([0, 1].map(|axis| or_dash(best, |best| Some(fixed(best.centre[axis], 3)))));
+            let nowhere = || vec!["-".to_owned(); self.axes().len()];
+            cells.extend(best.map_or_else(nowhere, |best| self.centre(best)));
             cells.push(or_dash(best, |best| {
                 best.smallest_margin().map(|(least, of)| format!("{} ({})", words::degrees(least), margins::of(of)))
             }));

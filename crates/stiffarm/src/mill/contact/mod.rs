@@ -26,10 +26,13 @@ use super::follow::{Arrangement, Stand};
 use super::stations::Station;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
-use crate::clearance::{Clearance, Cutter, Link, Looked, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
+use crate::clearance::{
+    Clearance, Cutter, Link, Looked, Machined, Mesh, Misplaced, Near, Obstacle, Surroundings, ThickArm,
+};
 use crate::cutting::Shank;
 use crate::inverse::posture_of;
 use crate::robot::Robot;
+use crate::spatial::Pose;
 use crate::stock::Remains;
 use crate::toolpath::ToolPose;
 
@@ -78,6 +81,8 @@ pub struct PathClearance {
     /// Of a path that is not clear: what is nearer than was asked at some station whatever the roll and the configuration, as the one of them that
     /// is the farthest from it has it. `None` where nothing of that kind is known.
     pub unavoidable: Option<Contact>,
+    /// What of the work stands where nothing may: in what is kept free, or below the floor.
+    pub misplaced: Vec<Misplaced>,
     /// The largest error, m, of the best path, where that was left because wide bodies, which are estimated, come nearer to something along it than
     /// was asked, and this one is worse; `None` where it is the best.
     pub without_wide: Option<f64>,
@@ -152,6 +157,14 @@ impl ClearOf {
         }
         Ok(())
     }
+
+    /// All of it about a robot, where the part stands at a pose in its base.
+    pub(super) fn surroundings(&self, base_from_part: Pose) -> Surroundings {
+        let Self { cell, floor, part, stock, fixture, cutter, .. } = self.clone();
+        let is_known = part.is_some() || stock.is_some() || fixture.is_some();
+        let machined = || Machined { pose: base_from_part, part, stock, fixture, cutter };
+        Surroundings { machined: is_known.then(machined), ..Surroundings::of(cell.as_ref(), floor) }
+    }
 }
 
 impl<'a> Guard<'a> {
@@ -162,15 +175,7 @@ impl<'a> Guard<'a> {
         stand: &Stand,
         (clear_of, bodies): (&ClearOf, Bodies),
     ) -> Option<Self> {
-        let ClearOf { clearance, cell, floor, part, stock, fixture, cutter } = clear_of;
-        let is_known = part.is_some() || stock.is_some() || fixture.is_some();
-        let machined = || Machined {
-            pose: stand.base_from_part,
-            part: part.clone(),
-            stock: stock.clone(),
-            fixture: fixture.clone(),
-            cutter: *cutter,
-        };
+        let ClearOf { clearance, cutter, .. } = clear_of;
         let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
         let cutter_radius = cutter.as_ref().map_or(0.0, Cutter::widest);
         let farthest = thick.farthest(cutter_radius);
@@ -191,7 +196,7 @@ impl<'a> Guard<'a> {
             bodies,
             forbade: AtomicBool::new(false),
             thick,
-            about: Surroundings { machined: is_known.then(machined), ..Surroundings::of(cell.as_ref(), *floor) },
+            about: clear_of.surroundings(stand.base_from_part),
             arm,
             stations,
             stand: *stand,

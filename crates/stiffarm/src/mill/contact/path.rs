@@ -68,7 +68,9 @@ impl Guard<'_> {
         let Found { nearest, at, contacts, .. } = found;
         let nearest = nearest.map(|near| self.thick.clearance_of(near, None, samples.len()));
         let unavoidable = tool.and_then(|tool| tool.deepest(self));
-        Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable, without_wide: None }))
+        let misplaced = self.about.misplaced(&self.stand.base_from_part);
+        let asked = self.clearance;
+        Ok(Ok(PathClearance { asked, nearest, at, contacts, unavoidable, misplaced, without_wide: None }))
     }
 
     /// The arm touches nothing along a path that is followed: nothing is asked of what touches, as [`Self::along`] tells it. What a round tool
