@@ -1520,7 +1520,8 @@ class PlacedInRanking(_Pass):
     """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
 
     floor_m: float | None
-    """Height of the floor above which the zone was to stand, from the base; null where there is none."""
+    """Height of the floor above which the zone was to stand, from the base; null where there is none, and where
+    the base leans or is on a wall: the floor is then z = 0 of the cell."""
 
     feasible: bool | None
     """There is a place; null where it is not known."""
@@ -1541,7 +1542,8 @@ class PlacedInRanking(_Pass):
     """No allowed place has less."""
 
     x_m: float | None
-    """Ahead, from the base."""
+    """Ahead, from the base; of a place that is turned about the joint-1 axis before it is turned (`bearing_deg`,
+    `cell_m`)."""
 
     z_m: float | None
     """Up, from the base."""
@@ -1879,6 +1881,16 @@ class PathContact(TypedDict):
     """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
 
 
+class Misplaced(TypedDict):
+    """Something of the work that stands where nothing may."""
+
+    bodies: str
+    """What of the work, and what it reaches into."""
+
+    depth_mm: float
+    """How deep at most: by the boxes about both, along the sides of the keep-out."""
+
+
 class PlaceSearch(TypedDict):
     """How finely a place was looked for."""
 
@@ -2031,6 +2043,10 @@ class PathRankingRow(_Pass):
     unavoidable: PathContact | None
     """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
     configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
+
+    misplaced: list[Misplaced] | None
+    """What of the work (part, stock, fixture) stands more than 1 mm deep in a keep-out or below the floor; null
+    where nobody looked."""
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
@@ -2187,7 +2203,8 @@ class Placed(_Pass):
     """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
 
     floor_m: float | None
-    """Height of the floor above which the zone was to stand, from the base; null where there is none."""
+    """Height of the floor above which the zone was to stand, from the base; null where there is none, and where
+    the base leans or is on a wall: the floor is then z = 0 of the cell."""
 
     feasible: bool | None
     """There is a place; null where it is not known."""
@@ -2208,7 +2225,8 @@ class Placed(_Pass):
     """No allowed place has less."""
 
     x_m: float | None
-    """Ahead, from the base."""
+    """Ahead, from the base; of a place that is turned about the joint-1 axis before it is turned (`bearing_deg`,
+    `cell_m`)."""
 
     z_m: float | None
     """Up, from the base."""
@@ -2468,9 +2486,9 @@ class PathChatter(TypedDict):
     """The frequency of the swing at that depth."""
 
     calm_rpm: list[list[float]] | None
-    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
-    allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and
-    where a measured table decides nothing."""
+    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut swings neither at the nominal
+    stiffness and damping nor in more than 5 of 100 draws: pairs of from and to; null where teeth are counted
+    one by one, of drives that are nobody's, and where a measured table decides nothing."""
 
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
@@ -2486,9 +2504,9 @@ class PathChatter(TypedDict):
     Nothing is known above the last of these and of what was measured."""
 
     robot_modes: str
-    """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
-    allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a
-    cut of which anything is known."""
+    """Of the robot with what was measured at its tip: calm where the cut swings neither at the nominal stiffness
+    and damping nor in more than 5 of 100 draws, limit where it swings at the nominal and in 95 of 100 or
+    more, else not decided; not covered of a path without a cut of which anything is known."""
 
     spindle_modes: str
     """unknown where nothing was measured at the tip, else measured; those of the work are never looked at."""
@@ -2762,6 +2780,10 @@ class MilledDict(_Pass):
     """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
     configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
 
+    misplaced: list[Misplaced] | None
+    """What of the work (part, stock, fixture) stands more than 1 mm deep in a keep-out or below the floor; null
+    where nobody looked."""
+
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
 
@@ -2977,6 +2999,10 @@ class MilledWithTool(_Pass):
     unavoidable: PathContact | None
     """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
     configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
+
+    misplaced: list[Misplaced] | None
+    """What of the work (part, stock, fixture) stands more than 1 mm deep in a keep-out or below the floor; null
+    where nobody looked."""
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
@@ -3435,7 +3461,8 @@ class ModesOverZoneDict(TypedDict):
     """The tool axis above the horizontal."""
 
     x_m: float
-    """Ahead, from the base."""
+    """Ahead, from the base; of a place that is turned about the joint-1 axis before it is turned (`bearing_deg`,
+    `cell_m`)."""
 
     z_m: float
     """Up, from the base."""
@@ -3628,9 +3655,9 @@ class ChatterDict(TypedDict):
     """The frequency of the swing at that depth."""
 
     calm_rpm: list[list[float]] | None
-    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
-    allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and
-    where a measured table decides nothing."""
+    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut swings neither at the nominal
+    stiffness and damping nor in more than 5 of 100 draws: pairs of from and to; null where teeth are counted
+    one by one, of drives that are nobody's, and where a measured table decides nothing."""
 
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
@@ -3646,9 +3673,9 @@ class ChatterDict(TypedDict):
     Nothing is known above the last of these and of what was measured."""
 
     robot_modes: str
-    """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
-    allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a
-    cut of which anything is known."""
+    """Of the robot with what was measured at its tip: calm where the cut swings neither at the nominal stiffness
+    and damping nor in more than 5 of 100 draws, limit where it swings at the nominal and in 95 of 100 or
+    more, else not decided; not covered of a path without a cut of which anything is known."""
 
     spindle_modes: str
     """unknown where nothing was measured at the tip, else measured; those of the work are never looked at."""

@@ -115,9 +115,9 @@ class Chatter(Table[types.ChatterDict]):
     """The frequency of the swing at that depth."""
 
     calm_rpm: list[list[float]] | None
-    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
-    allow: pairs of from and to; null where teeth are counted one by one, of drives that are nobody's, and
-    where a measured table decides nothing."""
+    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut swings neither at the nominal
+    stiffness and damping nor in more than 5 of 100 draws: pairs of from and to; null where teeth are counted
+    one by one, of drives that are nobody's, and where a measured table decides nothing."""
 
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
@@ -133,9 +133,9 @@ class Chatter(Table[types.ChatterDict]):
     Nothing is known above the last of these and of what was measured."""
 
     robot_modes: str
-    """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
-    allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a
-    cut of which anything is known."""
+    """Of the robot with what was measured at its tip: calm where the cut swings neither at the nominal stiffness
+    and damping nor in more than 5 of 100 draws, limit where it swings at the nominal and in 95 of 100 or
+    more, else not decided; not covered of a path without a cut of which anything is known."""
 
     spindle_modes: str
     """unknown where nothing was measured at the tip, else measured; those of the work are never looked at."""

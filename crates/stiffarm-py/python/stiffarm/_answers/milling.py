@@ -335,6 +335,10 @@ class Milled(Table[types.MilledDict]):
     """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
     configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
 
+    misplaced: list[types.Misplaced] | None
+    """What of the work (part, stock, fixture) stands more than 1 mm deep in a keep-out or below the floor; null
+    where nobody looked."""
+
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
 

@@ -113,7 +113,8 @@ class ModesOverZone(Table[types.ModesOverZoneDict]):
     """The tool axis above the horizontal."""
 
     x_m: float
-    """Ahead, from the base."""
+    """Ahead, from the base; of a place that is turned about the joint-1 axis before it is turned (`bearing_deg`,
+    `cell_m`)."""
 
     z_m: float
     """Up, from the base."""

@@ -111,7 +111,8 @@ class Placement(Table[types.PlacementDict]):
     """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
 
     floor_m: float | None
-    """Height of the floor above which the zone was to stand, from the base; null where there is none."""
+    """Height of the floor above which the zone was to stand, from the base; null where there is none, and where
+    the base leans or is on a wall: the floor is then z = 0 of the cell."""
 
     feasible: bool | None
     """There is a place; null where it is not known."""
@@ -132,7 +133,8 @@ class Placement(Table[types.PlacementDict]):
     """No allowed place has less."""
 
     x_m: float | None
-    """Ahead, from the base."""
+    """Ahead, from the base; of a place that is turned about the joint-1 axis before it is turned (`bearing_deg`,
+    `cell_m`)."""
 
     z_m: float | None
     """Up, from the base."""
