@@ -50,7 +50,7 @@ fn a_part_in_a_cell_is_wrong_usage_and_says_what_to_do() {
     }
 }
 
-/// Headline and exit code judge the same error: of a path that is compensated what is left, also where only the model says that.
+/// Headline and exit code judge the same error: of a path that is compensated what is left, and where nobody knows that what is there without.
 #[test]
 fn a_compensated_path_is_judged_by_what_is_left() {
     let folder = TempDir::new().expect("a folder");
@@ -61,7 +61,10 @@ fn a_compensated_path_is_judged_by_what_is_left() {
     let Ran { code, err, .. } = ran(&[], &mill);
     assert!(code == 3 && err.starts_with("fail: "), "{err}");
     let Ran { code, err, .. } = ran(&[], &[&mill[..], &["--compensate"]].concat());
-    assert!(code == 0 && err.starts_with("pass, not sure: ") && err.contains("without compensation"), "{err}");
+    assert!(code == 3 && err.starts_with("fail: ") && err.contains("what it leaves is not known"), "{err}");
+    let known = ["--compensate", "--stiffness-uncertainty", "0.1"];
+    let Ran { code, err, .. } = ran(&[], &[&mill[..], &known].concat());
+    assert!(code == 0 && err.starts_with("pass: ") && err.contains("without compensation"), "{err}");
 }
 
 /// What is written for machines hides nothing from whoever waits for it.

@@ -160,12 +160,18 @@ fn a_path_that_its_arm_may_miss_is_not_sure_on_any_face() {
         assert!(text.contains(says), "{says}: {text}");
     }
     assert!(page(&asked).contains("<strong class=\"word\">pass, not sure</strong>"));
-    // The deflection, 0.1351 mm, and what the geometry errs by in the median, 0.7974 mm, are kept for sure together.
-    for (tolerance, verdict) in
-        [("0.85", "pass, not sure"), ("0.93", "pass, not sure"), ("0.94", "pass"), ("2", "pass")]
-    {
-        let answer = json(&[&mill[..], &["--at", "0.975,0,0.9", "--tolerance-mm", tolerance]].concat());
-        assert_eq!(answer["verdict"], verdict, "{tolerance}");
+    // The deflection, 0.1351 mm, and what the geometry errs by with 95 %, 3.4126 mm, are kept for sure together; the median is 0.8184 mm.
+    for (tolerance, verdict, says) in [
+        ("0.85", "pass, not sure", "it is more"),
+        ("0.94", "pass, not sure", "it is more"),
+        ("0.97", "pass, not sure", "it may be more"),
+        ("3.5", "pass, not sure", "it may be more"),
+        ("3.6", "pass", "margin"),
+    ] {
+        let asked = [&mill[..], &["--at", "0.975,0,0.9", "--tolerance-mm", tolerance]].concat();
+        assert_eq!(json(&asked)["verdict"], verdict, "{tolerance}");
+        let (_, text, _) = run(&asked);
+        assert!(text.contains(says), "{tolerance}: {text}");
     }
 }
 
@@ -253,7 +259,9 @@ fn what_a_calibration_leaves_counts_in_the_verdict() {
     let (median, left) =
         (number(&found["compensation"]["left_median_mm"]), number(&found["true_arm"]["calibration_left_mm"]));
     assert!(0.01 < left && found["arm_error"].is_null(), "{median} {left}");
-    for (tolerance, verdict) in [(median + 0.9 * left, "pass, not sure"), (median + 1.1 * left, "pass")] {
+    // It is a root mean square: one place in twenty is off by 1.6 times as much.
+    for (tolerance, verdict) in [(0.9, "pass, not sure"), (1.5, "pass, not sure"), (1.7, "pass")] {
+        let tolerance = median + tolerance * left;
         let found = &answer(tolerance, &compensate)["compensation"];
         assert!(0.95 <= number(&found["probability"]), "{found}");
         assert_eq!(found["verdict"], verdict, "{tolerance}: {median} {left}");
@@ -263,7 +271,8 @@ fn what_a_calibration_leaves_counts_in_the_verdict() {
     let errs = &answer(5.0, &prior)["true_arm"];
     let [uncorrected, corrected] = ["uncorrected_mm", "by_geometry_mm"].map(|key| number(&errs[key]));
     assert!(corrected + left < 0.9 * uncorrected, "{errs}");
-    for (share, verdict) in [(0.99, "pass, not sure"), (1.01, "pass")] {
+    // Beyond that what the calibration leaves may be more, until that is kept, too.
+    for (share, verdict) in [(0.99, "pass, not sure"), (1.01, "pass, not sure"), (2.0, "pass")] {
         let tolerance = (share * uncorrected).to_string();
         let asked = [&asked[..], &stands, &[tolerance.as_str()], &prior].concat();
         assert_eq!(json(&asked)["verdict"], verdict, "{tolerance}: {uncorrected}");

@@ -246,9 +246,14 @@ impl Problem<'_> {
     }
 
     /// The least from a start, by Levenberg's and Marquardt's steps, with its rows.
-    pub(crate) fn solved(&self, mut state: State) -> (State, Vec<Linear>) {
+    pub(crate) fn solved(&self, state: State) -> (State, Vec<Linear>) {
         /// Of steps.
         const MOST: usize = 60;
+        self.nearer(state, MOST)
+    }
+
+    /// The same by so many steps at most.
+    pub(crate) fn nearer(&self, mut state: State, steps: usize) -> (State, Vec<Linear>) {
         /// Of the cost: what is gained by less is rounding.
         const GAIN: f64 = 1e-13;
         /// m and rad: a step below this moves nothing that is seen.
@@ -256,7 +261,7 @@ impl Problem<'_> {
         let mut rows = self.linear(&state);
         let mut cost = self.cost(&rows, &state);
         let mut damping = 1e-6;
-        for _ in 0..MOST {
+        for _ in 0..steps {
             let (h, g) = self.normal(rows.iter(), &state);
             let Some(step) = damped(&h, &g, damping) else {
                 damping = (damping * 10.0_f64).max(1e-9);

@@ -80,7 +80,7 @@ impl Verdict {
 
     /// The same as it stands in a column beside a deflection: `pass +0.120, P 97 %`.
     pub(super) fn short(self) -> String {
-        let alone = if self.passes && self.is_of_drives_alone { " of the drives alone" } else { "" };
+        let alone = if self.passes && self.is_of_drives_alone { " (drives)" } else { "" };
         let probability = self.probability.map_or_else(String::new, |known| format!(", P {}{alone}", percent(known)));
         format!("{} {:+.3}{probability}", self.word(), self.margin_mm)
     }

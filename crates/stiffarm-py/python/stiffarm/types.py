@@ -1266,7 +1266,8 @@ class CellDict(TypedDict):
 
     within_m: list[list[list[float | None]]]
     """Where the work may stand: each window as ranges of x, y and z, or of the distance from the joint-1 axis
-    and z; null where a range is open."""
+    and z; null where a range is open; empty where none was asked, and where one of two ranges counts from the
+    base, straight ahead."""
 
     keep_out_m: list[list[list[float | None]]]
     """What is kept free: each box as ranges of x, y and z; null where a range is open."""
@@ -1875,20 +1876,22 @@ class PathContact(TypedDict):
     """How far along the path it is nearest."""
 
     bodies: str
-    """Which link to what."""
+    """Which link to what; in `misplaced` what of the work."""
 
     depth_mm: float
-    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
+    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap; in
+    `misplaced` at most, by the boxes about both along the sides of the keep-out."""
 
 
 class Misplaced(TypedDict):
     """Something of the work that stands where nothing may."""
 
     bodies: str
-    """What of the work, and what it reaches into."""
+    """Which link to what; in `misplaced` what of the work."""
 
     depth_mm: float
-    """How deep at most: by the boxes about both, along the sides of the keep-out."""
+    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap; in
+    `misplaced` at most, by the boxes about both along the sides of the keep-out."""
 
 
 class PlaceSearch(TypedDict):

@@ -99,6 +99,12 @@ impl Rows<'_> {
         self.problem(given.scaled(), &chain).solved(state)
     }
 
+    /// The same by one step: from a state near it that is as good as the least.
+    fn nearer(&self, state: State, given: Given) -> (State, Vec<Linear>) {
+        let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
+        self.problem(given.scaled(), &chain).nearer(state, 1)
+    }
+
     /// A state to start from, as drawn, by rows of which none need be right.
     pub(super) fn start(&self) -> State {
         let chain = |_: &[f64], q: &[f64; 6]| Chain { flange: self.arm.drawn(q), twists: Vec::new() };
@@ -160,11 +166,13 @@ impl Rows<'_> {
         let mut state = State { parameters: vec![0.0; ALL], ..start.clone() };
         let prior_of =
             |scale: f64| level.map_or_else(|| vec![0.0; ALL], |level| level.prior(scale, self.drives.as_ref()));
-        let mut round = 0;
+        let (mut round, mut was_settled) = (0, false);
         loop {
             let prior = prior_of(scale);
             let given = Given { prior: &prior, noise, common };
-            let (next, rows) = self.solved(state, given);
+            // From round to round one step is enough: the first and the last have the least.
+            let whole = round == 0 || was_settled || round + 1 == ROUNDS;
+            let (next, rows) = if whole { self.solved(state, given) } else { self.nearer(state, given) };
             state = next;
             let (h, _) = self.normal(rows.iter(), &state, given);
             let inverse = h.clone().cholesky()?.inverse();
@@ -179,11 +187,11 @@ impl Rows<'_> {
             let is_settled = (next_noise / noise - 1.0).abs() < SETTLED
                 && (next_scale / scale - 1.0).abs() < SETTLED
                 && (next_common - common).abs() < SETTLED * (1.0 + common);
-            if is_settled || round == ROUNDS {
+            if is_settled && whole || round == ROUNDS {
                 let evidence = evidence(&h, (&state, given), &rows);
                 return Some(Fitted { level, state, rows, noise, common, spare, seen, prior, evidence, shown, share });
             }
-            (noise, scale, common) = (next_noise, next_scale, next_common);
+            (noise, scale, common, was_settled) = (next_noise, next_scale, next_common, is_settled);
         }
     }
 }

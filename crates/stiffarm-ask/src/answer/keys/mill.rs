@@ -110,7 +110,7 @@ shapes! {
     ];
     PATH_CONTACT: "PathContact", "A stretch of a path along which the arm is nearer to something than it was to keep.",
         &[slots![LINE, CONTACT_WAY, BODIES, CONTACT_DEPTH]];
-    MISPLACED: "Misplaced", "Something of the work that stands where nothing may.", &[slots![MISPLACED_BODIES, MISPLACED_DEPTH]];
+    MISPLACED: "Misplaced", "Something of the work that stands where nothing may.", &[slots![BODIES, CONTACT_DEPTH]];
     PATH_LENGTH: "PathLength", "How long a path is.", &[slots![
         SAMPLES_OF_PATH, PATH_LENGTH, CUTTING_LENGTH, TIME | null, BOX | null, RAPID_LENGTH, RAPID_BOX | null,
     ]];

@@ -72,11 +72,9 @@ fields! {
     CONTACTS: "contacts", Kind::Objects, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
     UNAVOIDABLE: "unavoidable", Kind::Object, "Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every configuration, as the one that is farthest from it has it. Null where nothing of that kind is known.";
     MISPLACED: "misplaced", Kind::Objects, "What of the work (part, stock, fixture) stands more than 1 mm deep in a keep-out or below the floor; null where nobody looked.";
-    MISPLACED_BODIES: "bodies", Kind::Text, "What of the work, and what it reaches into.";
-    MISPLACED_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "How deep at most: by the boxes about both, along the sides of the keep-out.";
     CONTACT_WAY: "s_m", Kind::Number(Unit::Metre), "How far along the path it is nearest.";
-    BODIES: "bodies", Kind::Text, "Which link to what.";
-    CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";
+    BODIES: "bodies", Kind::Text, "Which link to what; in `misplaced` what of the work.";
+    CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap; in `misplaced` at most, by the boxes about both along the sides of the keep-out.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
     CLEARANCE_OUTSIDE: "clearance_outside_mm", Kind::Number(Unit::Millimetre), "By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where none is estimated.";
     CLEARANCE_WIDE: "clearance_wide_mm", Kind::Number(Unit::Millimetre), "The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm; negative where they overlap, so that the arm may touch; null where its bodies are known.";

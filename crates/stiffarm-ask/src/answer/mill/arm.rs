@@ -176,8 +176,11 @@ impl MillAnswer {
         deflection: f64,
         is_compensated: bool,
     ) -> Option<Exceeded> {
-        let uncorrected = || if is_compensated { None } else { self.geometry_uncorrected(tolerance_mm) };
-        self.geometry_left(tolerance_mm, deflection).or_else(uncorrected)
+        let left = self.geometry_left(tolerance_mm, deflection);
+        if is_compensated || left.as_ref().is_some_and(|left| left.is_likely) {
+            return left;
+        }
+        self.geometry_uncorrected(tolerance_mm).or(left)
     }
 
     /// The same of what nobody corrects: that of an arm that was not calibrated, or what its calibration leaves.

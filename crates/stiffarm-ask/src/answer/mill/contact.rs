@@ -26,7 +26,7 @@ fn reaches(Misplaced { what, into, depth }: &Misplaced) -> String {
 
 fn misplaced(Misplaced { what, into, depth }: &Misplaced) -> Record {
     let mut record = Record::of(&shape::MISPLACED);
-    record.put(field::MISPLACED_BODIES, format!("{what} to {into}")).put(field::MISPLACED_DEPTH, *depth);
+    record.put(field::BODIES, format!("{what} to {into}")).put(field::CONTACT_DEPTH, *depth);
     record
 }
 
