@@ -65,6 +65,8 @@ impl CalibrateAnswer {
             .put(field::OWN_WEIGHT, own_weight(found.taken()))
             .put(field::READ_ROWS, found.rows.len())
             .put(field::NOMINAL_RMS, found.levels[0].rms)
+            .put(field::NOISE_FOUND, found.noise.reading)
+            .put(field::POSTURE_NOISE_FOUND, found.noise.posture)
             .put(field::LEVELS, found.levels.iter().map(level).collect::<Datum>())
             .put(field::WRONG_ROWS, wrong.collect::<Datum>())
             .put(
@@ -131,6 +133,18 @@ impl CalibrateAnswer {
             line("level", format!("{}, {by}; the rows show {} parameters", name(taken), fixed(taken.shown, 1))),
             line("error", format!("{} mm rms as drawn, {} mm calibrated", mm(found.levels[0].rms), mm(taken.rms))),
         ];
+        let reading = mm(found.noise.reading);
+        lines.push(line(
+            "noise",
+            match found.noise.posture.map(mm) {
+                Some(posture) => format!(
+                    "{reading} mm (1 sigma) a coordinate of a reading, {posture} mm of where the arm stands at a posture; for `measure --geometry`: --sigma-mm {reading} --posture-sigma-mm {posture}"
+                ),
+                None => format!(
+                    "{reading} mm (1 sigma) a coordinate, of readings and of how the arm repeats a posture: of single points nothing tells them apart"
+                ),
+            },
+        ));
         let degrees = self.zeros().map(|zero| fixed(Unit::Degree.of_si(zero), 4)).join(", ");
         lines.push(line("zeros", format!("{degrees} deg to be added to the joints as reported")));
         lines.push(line(

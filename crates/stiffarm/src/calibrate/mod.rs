@@ -98,6 +98,15 @@ pub struct Off {
     pub after: f64,
 }
 
+/// Standard deviations of a coordinate, m: what a plan of the next measurement asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoundNoise {
+    /// Of a reading; of single points of how the arm repeats a posture, too.
+    pub reading: f64,
+    /// Of where the arm stands at a posture, the same for all of its points; `None` of single points, of which nothing tells it from the first.
+    pub posture: Option<f64>,
+}
+
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct Calibrated {
@@ -105,6 +114,8 @@ pub struct Calibrated {
     pub level: Level,
     /// The arm as drawn first, then all levels.
     pub levels: Vec<LevelFit>,
+    /// How far readings and postures scatter about the level taken.
+    pub noise: FoundNoise,
     /// How the arm differs.
     pub errors: Errors,
     /// What the own weight tells of the compliance of each drive; `None` where it has terms, or is not looked for.
@@ -290,6 +301,7 @@ pub fn calibrate(
                 level_fit(rows, fitted, of_taken.or_else(|| left_out::rms(rows, fitted)))
             })
             .collect(),
+        noise: FoundNoise { reading: best.noise, posture: rows.together.then(|| best.noise * best.common.sqrt()) },
         errors: Errors { drives: compliance, ..errors_of(&best.state.parameters) },
         drives,
         has_masses: question.weighed.is_some(),

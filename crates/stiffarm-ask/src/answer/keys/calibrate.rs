@@ -12,6 +12,8 @@ fields! {
     OWN_WEIGHT: "own_weight", Kind::Text, "How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the compliance of each drive (`drives`) as all that is unknown; null of levels without it.";
     LEVELS: "levels", Kind::Objects, "Every level: what it leaves.";
     NOMINAL_RMS: "nominal_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances of the arm as drawn.";
+    NOISE_FOUND: "sigma_mm", Kind::Number(Unit::Millimetre), "Standard deviation of a coordinate of a reading about the level taken; of single points with how the arm repeats a posture.";
+    POSTURE_NOISE_FOUND: "posture_sigma_mm", Kind::Number(Unit::Millimetre), "The same of where the arm stands at a posture, which all of its points share; null of single points, of which nothing tells it from `sigma_mm`.";
     MEDIAN_OFF: "median_mm", Kind::Number(Unit::Millimetre), "Median of the distances.";
     P95_OFF: "p95_mm", Kind::Number(Unit::Millimetre), "95th percentile of the distances.";
     LEFT_OUT_RMS: "left_out_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances that are predicted where a third of a joint's range is left out; null where none can be.";
@@ -49,7 +51,7 @@ shapes! {
         &[slots![EXPECTED_AT_WORK, WORK_INTERVAL, WORK_P95, WORK_POSTURES]];
     CALIBRATED_POSTURE: "CalibratedPosture", "A posture before and after.", &[slots![LINE, BEFORE, AFTER]];
     CALIBRATION: "CalibrationDict", "What `calibrate` answers.", &[slots![
-        ROBOT, LEVEL, OWN_WEIGHT | null, READ_ROWS, NOMINAL_RMS, LEVELS => LEVEL_FIT, WRONG_ROWS => WRONG_POINT, TRACKER_IN_BASE,
+        ROBOT, LEVEL, OWN_WEIGHT | null, READ_ROWS, NOMINAL_RMS, NOISE_FOUND, POSTURE_NOISE_FOUND | null, LEVELS => LEVEL_FIT, WRONG_ROWS => WRONG_POINT, TRACKER_IN_BASE,
         POINTS_SEEN, ZERO_FOUND, FRAMES_FOUND, WEIGHT_FOUND | null, WEIGHT_INTERVALS | null, DRIVES | null => UPDATED_DRIVE,
         GEARS_FOUND, NARROW => NARROW_JOINT, AT_WORK | null => CALIBRATED_AT_WORK,
     ]];

@@ -259,6 +259,14 @@ class Calibration(Table[types.CalibrationDict]):
     nominal_rms_mm: float
     """Root mean square of the distances of the arm as drawn."""
 
+    sigma_mm: float
+    """Standard deviation of a coordinate of a reading about the level taken; of single points with how the arm
+    repeats a posture."""
+
+    posture_sigma_mm: float | None
+    """The same of where the arm stands at a posture, which all of its points share; null of single points, of
+    which nothing tells it from `sigma_mm`."""
+
     levels: list[types.LevelFit]
     """Every level: what it leaves."""
 
