@@ -241,3 +241,75 @@ fn wrong_meshes_are_refused_by_what_is_wrong() {
         assert!(found == code && errors.contains(says) && out.is_empty(), "{more:?}: {found} {errors}");
     }
 }
+
+/// A box as text, mm.
+fn boxed(low: [i32; 3], high: [i32; 3]) -> String {
+    let corner = |i: usize| [0, 1, 2].map(|axis| [low, high][i >> axis & 1][axis].to_string()).join(" ");
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let facet = |[a, b, c]: [usize; 3]| {
+        let corners = [a, b, c].map(|i| format!("vertex {}\n", corner(i))).concat();
+        format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n")
+    };
+    let facets = faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).map(facet);
+    format!("solid box\n{}endsolid box\n", facets.collect::<String>())
+}
+
+/// By hand: a fixture of 200 x 200 x 300 mm under the origin of the path, which stands 1.7 m ahead and 0.8 m or 0.2 m high.
+#[test]
+fn a_fixture_in_a_cabinet_or_below_the_floor_is_a_collision_and_one_beside_them_is_not() {
+    let folder = folder();
+    let folder = folder.path();
+    fs::write(folder.join("fixture.stl"), boxed([-100, -100, -300], [100, 100, 0])).unwrap();
+    let asked = ["--mount", "floor", "--fixture", "fixture.stl", "--tolerance-mm", "5"];
+    let with = |cabinet: &str, more: &[&str]| run(folder, &[&asked[..], &["--keep-out", cabinet], more].concat());
+    let (code, out, errors) = with("1.75..2.5,-1..1,0..0.6", &["--check"]);
+    let says = "the fixture reaches up to 50 mm into keep-out 1";
+    assert!(code == 3 && out.contains(&format!("COLLISION                        {says}")), "{code}: {out}{errors}");
+    assert!(errors.contains(says), "{errors}");
+    let (code, out, _) = with("1.75..2.5,-1..1,0..0.6", &["--format", "json"]);
+    let found: Value = serde_json::from_str(&out).expect("JSON");
+    let misplaced = &found["misplaced"];
+    assert_eq!((code, misplaced.as_array().map(Vec::len)), (0, Some(1)), "{misplaced}");
+    assert_eq!(misplaced[0]["bodies"], "fixture to keep-out 1");
+    assert!((misplaced[0]["depth_mm"].as_f64().unwrap() - 50.0).abs() < 1e-6, "{misplaced}");
+    // It stands on a table, and beside a cabinet.
+    for beside in ["1..2.5,-1..1,0..0.5", "1.8..2.5,-1..1,0..0.6"] {
+        let (code, out, errors) = with(beside, &["--check"]);
+        assert!(code == 0 && !out.contains("COLLISION"), "{beside}: {out}{errors}");
+    }
+    let (code, _, errors) = with("1.75..2.5,-1..1,0..0.6", &["--check", "--allow-contact"]);
+    assert_eq!(code, 0, "{errors}");
+    let low = ["mill", "line:0.1", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "30,10,5"];
+    let mut program = Command::cargo_bin("stiffarm").unwrap();
+    let output = program.current_dir(folder).args(low).args(&asked).args(["--at", "1.7,0,0.2"]).output().expect("runs");
+    let out = String::from_utf8(output.stdout).expect("text");
+    assert!(out.contains("the fixture stands up to 100 mm below the floor"), "{out}");
+}
+
+/// The corners of a bar that reaches 0.6 m aside, where the path stands: at the best place without it they would lie in a cabinet.
+#[test]
+fn the_best_place_of_a_path_leaves_room_for_its_fixture() {
+    let folder = folder();
+    let folder = folder.path();
+    fs::write(folder.join("fixture.stl"), boxed([-100, -600, -400], [100, 100, -10])).unwrap();
+    let arm =
+        ["mill", "line:0.1", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "100,50,20"];
+    let cell = ["--mount", "floor", "--within", "1.2..1.6,-0.2..0.2,0.55..1.3", "--keep-out", "0.9..2.2,0.4..1,0..2"];
+    let deepest = |more: &[&str]| {
+        let mut program = Command::cargo_bin("stiffarm").unwrap();
+        let asked = [&arm[..], &cell, more, &["--format", "json"]].concat();
+        let output = program.current_dir(folder).args(asked).output().expect("runs");
+        let answer: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert!(answer["feasible"] == true && answer["misplaced"] == serde_json::json!([]), "{answer}");
+        let number = |value: &Value| value.as_f64().unwrap();
+        let [x, y] = [0, 1].map(|axis| number(&answer["at_m"][axis]));
+        let (s, c) = number(&answer["at_yaw_deg"]).to_radians().sin_cos();
+        let corners =
+            [[-0.1, -0.6], [0.1, -0.6], [0.1, 0.1], [-0.1, 0.1]].map(|[u, v]| [x + c * u - s * v, y + s * u + c * v]);
+        let in_cabinet = corners.into_iter().filter(|[x, _]| (0.9..2.2).contains(x)).map(|[_, y]| y - 0.4);
+        in_cabinet.fold(f64::NEG_INFINITY, f64::max)
+    };
+    assert!(0.05 < deepest(&[]));
+    // But for the millimetre by which it may touch.
+    assert!(deepest(&["--fixture", "fixture.stl"]) < 1.001e-3);
+}

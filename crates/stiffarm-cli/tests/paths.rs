@@ -424,6 +424,14 @@ fn forces_and_cuts_that_a_path_says_are_those_that_are_told() {
     assert!(!meant.contains("mm a tooth where") && meant.contains("turns the spindle at 6000 rpm"), "{meant}");
     let (_, more) = mill("gentler.nc", &["--process", "mill.toml"]);
     assert!(more.contains("the path feeds 0.6 mm a tooth where the process means 0.1"), "{more}");
+    // A plunge is fed otherwise; of a path that is fed so in part it is told where.
+    let plunged = "G21 G90 G94\nT1 M6\nS12000 M3\nG0 X-30.0 Y0.0 Z2.0\nG1 Z-3.0 F300\nG1 X0. F4800\nM30\n";
+    put("plunged.nc", plunged);
+    put("in_part.nc", &plunged.replace("M30", "G1 X30. F2400\nM30"));
+    let [(_, plunged), (_, in_part)] = ["plunged.nc", "in_part.nc"].map(|path| mill(path, &["--process", "mill.toml"]));
+    assert!(!plunged.contains("mm a tooth"), "{plunged}");
+    let (_, says) = in_part.split_once("the path feeds 0.05 mm a tooth on ").expect("half as much");
+    assert!(says.contains("samples, first at line 7 where the process means 0.1"), "{in_part}");
     // Deeper than the flutes, and what another tool has cut.
     let two = "G21 G90 G94\nT1 M6\nS12000 M3\nG0 X-30. Y0. Z20.\nG0 Z-30.\nG1 X60. F4800\nG0 Z20.\nT2 M6\nG0 X-30. Y0.\nG0 Z-30.\nG1 X60. F1800\nM30\n";
     put("two.nc", two);
