@@ -281,7 +281,7 @@ fn a_fixture_in_a_cabinet_or_below_the_floor_is_a_collision_and_one_beside_them_
     assert_eq!(code, 0, "{errors}");
     let low = ["mill", "line:0.1", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "30,10,5"];
     let mut program = Command::cargo_bin("stiffarm").unwrap();
-    let output = program.current_dir(folder).args(low).args(&asked).args(["--at", "1.7,0,0.2"]).output().expect("runs");
+    let output = program.current_dir(folder).args(low).args(asked).args(["--at", "1.7,0,0.2"]).output().expect("runs");
     let out = String::from_utf8(output.stdout).expect("text");
     assert!(out.contains("the fixture stands up to 100 mm below the floor"), "{out}");
 }

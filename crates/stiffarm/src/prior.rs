@@ -260,8 +260,19 @@ impl Drawn {
 impl Unexplained {
     /// Of a robot; `None` where it was not measured. Deterministic, by its name.
     pub fn of(robot: &Robot, draws: usize) -> Option<Self> {
+        Self::at(robot, draws, &[])
+    }
+
+    /// Of a robot in a posture, rad: in another one it misses something else. Deterministic, by its name and the posture.
+    pub(crate) fn at(robot: &Robot, draws: usize, posture: &[f64]) -> Option<Self> {
+        /// rad: what rounding changes is the same posture.
+        const SAME: f64 = 1e-6;
         let identified = robot.identified()?.clone();
-        let mut own = fastrand::Rng::with_seed(seed(&robot.full_name()) ^ UNEXPLAINED_SEED);
+        let mixed = |seed: u64, angle: &f64| {
+            (seed ^ ((angle / SAME).round() as i64).cast_unsigned()).wrapping_mul(0x0100_0000_01b3)
+        };
+        let seed = posture.iter().fold(seed(&robot.full_name()) ^ UNEXPLAINED_SEED, mixed);
+        let mut own = fastrand::Rng::with_seed(seed);
         let errors = (0..draws).map(|_| Vector3::from_fn(|_, _| normal(&mut own))).collect();
         Some(Self { identified, errors })
     }
