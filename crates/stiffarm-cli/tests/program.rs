@@ -580,6 +580,13 @@ fn answers_in_space_come_as_figures_pages_and_typed_columns() {
             assert!(at.iter().zip(worst).all(|(a, b)| (a - b).abs() < 2e-5), "{at:?} {worst:?}");
         }
     }
+    // A window of two ranges is drawn before a base that is raised, too.
+    let zone = ["--task", "rect:0.4x0.2", "--within", "0.8..2,0.6..1.4"];
+    for (name, mount) in [("floor", &[][..]), ("raised", &["--mount", "pedestal:0.3"])] {
+        let window = path(&folder, &format!("{name}.svg"));
+        run(&[&["place"], &robot[..], &zone, mount, &["-o", &window]].concat());
+        assert!(fs::read_to_string(window).expect("written").contains("where the zone may stand"), "{name}");
+    }
     let margin = path(&folder, "margin.svg");
     run(&[
         &["map"],

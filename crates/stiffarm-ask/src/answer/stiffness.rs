@@ -48,16 +48,19 @@ pub fn stiffness(robot: &Robot) -> String {
     if compensated { format!("{text}; drive 2 with its gravity compensator") } else { text }
 }
 
-/// Which drives of a robot no publication shows: ` (4, 5: the prior by payload and reach)`.
-fn by_the_prior(robot: &Robot) -> String {
+/// Which drives of a robot, from 1, no publication shows, where some show others.
+fn unpublished(robot: &Robot) -> Vec<String> {
     let Some(Knowledge::Published { drives, .. }) = robot.scatter().map(|scatter| &scatter.knowledge) else {
-        return String::new();
+        return Vec::new();
     };
-    let others: Vec<String> = (1..=6).filter(|drive| !drives[drive - 1]).map(|drive| drive.to_string()).collect();
-    if others.is_empty() {
-        others.concat()
-    } else {
-        format!(" ({}: the prior by payload and reach)", others.join(", "))
+    (1..=6).filter(|drive| !drives[drive - 1]).map(|drive| drive.to_string()).collect()
+}
+
+/// The same behind their values: ` (4, 5: the prior by payload and reach)`.
+fn by_the_prior(robot: &Robot) -> String {
+    match unpublished(robot) {
+        others if others.is_empty() => String::new(),
+        others => format!(" ({}: the prior by payload and reach)", others.join(", ")),
     }
 }
 
@@ -118,7 +121,10 @@ pub fn stiffnesses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
     for robot in robots {
         // Numbers of one robot are of use; of many, who says so.
         let text = match robot.stiffness_source() {
-            StiffnessSource::Published if are_several => "drives as published".to_owned(),
+            StiffnessSource::Published if are_several => match unpublished(robot) {
+                others if others.is_empty() => "drives as published".to_owned(),
+                others => format!("drives as published, {} by the prior for payload and reach", others.join(" and ")),
+            },
             StiffnessSource::Prior if are_several => "drives by the prior for payload and reach".into(),
             _ => stiffness(robot),
         };

@@ -19,7 +19,9 @@ const COLLISION: &str = "COLLISION";
 fn reaches(Misplaced { what, into, depth }: &Misplaced) -> String {
     let depth = fixed(depth * 1e3, 0);
     match into {
-        Obstacle::Floor => format!("the {what} stands up to {depth} mm below the floor"),
+        Obstacle::Floor => {
+            format!("the {what} stands up to {depth} mm below the floor (--floor and --mount say where that is)")
+        }
         _ => format!("the {what} reaches up to {depth} mm into {into}"),
     }
 }

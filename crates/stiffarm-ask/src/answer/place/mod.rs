@@ -106,7 +106,12 @@ impl PlaceAnswer {
 
     /// Where a picture of the plane straight ahead of the answer shows that the zone may stand, m from the base.
     pub fn windows(&self) -> Vec<Within> {
-        let Some(cell) = self.options.cell else { return margins::windows(&self.options, &self.model, &self.robot) };
+        let ahead = || margins::windows(&self.options, &self.model, &self.robot);
+        let Some(cell) = self.options.cell else { return ahead() };
+        // One of two ranges lies straight ahead of a base that is raised, too.
+        if cell.windows().next().is_none() && self.options.within.is_some() {
+            return ahead();
+        }
         let crossed = |window: Window| match window {
             Window::Block(block) => cell.crossing(&block, self.bearing()),
             Window::Ring { ahead, z } => Some([ahead, cell.mount.heights_from_base(z)]),
