@@ -94,6 +94,9 @@ fn what_was_measured_at_the_tip_is_looked_at_and_named_by_its_table() {
         assert_eq!((&answer["spindle_modes"], &answer["frf_on"]), (&"measured".into(), &"rigid".into()));
         assert_eq!(answer["modes_looked_at"].as_array().map(Vec::len), Some(6));
     }
+    // The drives have an interval, what was tapped has none.
+    let (_, text, _) = output(&[&["chatter", PROCESS], ARM, FEED, HELD, &["--frf", TAPPED, "--frf-on", "rigid"]]);
+    assert!(text.contains("what was measured at the tip is taken as it is"), "{text}");
     assert!(by_hertz["frf"].as_str().expect("a name").ends_with("tip.csv"));
     assert_eq!(
         (by_hertz["measured_between"].clone(), &by_hertz["measured_modes"]),

@@ -329,7 +329,11 @@ impl ChatterAnswer {
         notes.push(match self.drawn()[..] {
             [] if self.robot_is_measured() => "intervals: none; the tip is taken as it was measured".into(),
             [] => "intervals: none; stiffness and damping are taken as given".into(),
-            _ => format!("intervals: over draws of {}", self.drawn().join(" and ")),
+            _ => {
+                let measured =
+                    if chatter.measured.is_some() { "; what was measured at the tip is taken as it is" } else { "" };
+                format!("intervals: over draws of {}{measured}", self.drawn().join(" and "))
+            }
         });
         notes.push(tip::not_known(chatter));
         if chatter.drives_are_assumed {
