@@ -378,11 +378,8 @@ mod tests {
         assert!(0 < by_front && by_front < DRAWS, "{by_front}");
     }
 
-    /// Drives that are known to the last digit, and an identification that missed a tenth of what moved: in the plane two coordinates of
-    /// `d / 10 sqrt 2` each about a deflection d, in which the one along it decides: 1.645 standard deviations either way, to the half of the
-    /// square of what lies across, `d (1 / 10 sqrt 2)^2 / 2`.
-    #[test]
-    fn a_deflection_of_a_measured_robot_is_as_uncertain_as_its_residual() {
+    /// Drives that are known to the last digit, by an identification that missed such a share of what moved.
+    fn measured(share: f64) -> Robot {
         let mut robot = find("KR 210 R2700-2").unwrap().robot();
         let crate::robot::Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
         drives.identified = Some(crate::drive::Identified {
@@ -390,10 +387,19 @@ mod tests {
             covariance: nalgebra::Matrix6::zeros(),
             postures: 20,
             date: None,
-            residual: 1e-4,
+            residual: share * 1e-3,
             left_out: None,
             moved: Some(1e-3),
         });
+        robot
+    }
+
+    /// Drives that are known to the last digit, and an identification that missed a tenth of what moved: in the plane two coordinates of
+    /// `d / 10 sqrt 2` each about a deflection d, in which the one along it decides: 1.645 standard deviations either way, to the half of the
+    /// square of what lies across, `d (1 / 10 sqrt 2)^2 / 2`.
+    #[test]
+    fn a_deflection_of_a_measured_robot_is_as_uncertain_as_its_residual() {
+        let robot = measured(0.1);
         let (task, options): (Task, _) = ("A:0.3".parse().unwrap(), PlaceOptions::under(Load::PAPER));
         let placed =
             crate::place::place(&ModelKind::Planar.of(&robot).unwrap(), &task.work, &options, Watch::nobody()).unwrap();
@@ -427,17 +433,7 @@ mod tests {
     fn what_counts_of_a_displacement_of_a_measured_robot_errs_as_all_of_it_does() {
         const DRAWN: usize = 40_000;
         let share = 0.2;
-        let mut robot = find("KR 210 R2700-2").unwrap().robot();
-        let crate::robot::Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
-        drives.identified = Some(crate::drive::Identified {
-            drives: [true; 6],
-            covariance: nalgebra::Matrix6::zeros(),
-            postures: 20,
-            date: None,
-            residual: share * 1e-3,
-            left_out: None,
-            moved: Some(1e-3),
-        });
+        let robot = measured(share);
         let tool = Pose::translation(0.1, 0.05, 0.25);
         let posture = compliance(&robot, &[0.2, -1.1, 1.6, 0.3, 0.7, 0.1], &tool).unwrap();
         let force = nalgebra::Vector3::new(40.0, 300.0, 100.0);

@@ -11,7 +11,7 @@ use stiffarm::watch::{Stopped, Watch};
 
 use crate::answer::{TipFile, fixed};
 use crate::error::AskError;
-use crate::request::Request;
+use crate::request::{Request, opt};
 use crate::sources::Sources;
 
 /// Who waits for an answer.
@@ -91,9 +91,9 @@ pub(super) fn under_process<'a>(asked: &'a Request, context: Context) -> Result<
         context.listener.remark(&format!("note: {remark}"));
     }
     let under = asked.under(&read.process)?;
-    if let Ok(moment) = read.process.force().map(|force| force.moment)
-        && moment != 0.0
-    {
+    let force = read.process.force().map_err(|error| asked.refused(opt::PROCESS, error.to_string()))?;
+    let moment = force.moment;
+    if moment != 0.0 {
         context.listener.remark(&format!(
             "note: {name}: its mean moment about the tool axis, {} N m, is left out of a zone; along a path `mill` counts it",
             fixed(moment, 2)

@@ -41,6 +41,12 @@ impl Given<'_> {
     pub(super) fn coordinate(self) -> f64 {
         self.noise * (1.0 + self.common).sqrt()
     }
+
+    /// `sigma^2 / tau^2` of each parameter, infinite where it is held, beside what points share.
+    fn scaled(self) -> (Vec<f64>, f64) {
+        let precision = |tau: &f64| if *tau == 0.0 { f64::INFINITY } else { (self.noise / tau).powi(2) };
+        (self.prior.iter().map(precision).collect(), self.common)
+    }
 }
 
 /// A level as it was fitted.
@@ -280,14 +286,6 @@ impl Shared {
 
 fn coordinates(rows: &[Linear]) -> usize {
     rows.iter().map(|row| row.residual.len()).sum()
-}
-
-impl Given<'_> {
-    /// `sigma^2 / tau^2` of each parameter, infinite where it is held, beside what points share.
-    fn scaled(self) -> (Vec<f64>, f64) {
-        let precision = |tau: &f64| if *tau == 0.0 { f64::INFINITY } else { (self.noise / tau).powi(2) };
-        (self.prior.iter().map(precision).collect(), self.common)
-    }
 }
 
 /// `-1/2 [ r' C^-1 r / s^2 + sum x^2 / tau^2 + N ln s^2 + ln det C + sum ln tau^2 + ln det (H / s^2) ]` (Laplace), what is held left out.

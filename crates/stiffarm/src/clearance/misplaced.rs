@@ -2,8 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 
-use super::{Machined, Obstacle, Solid, Surroundings};
-use crate::clearance::Mesh;
+use super::{Machined, Mesh, Obstacle, Solid, Surroundings};
 use crate::spatial::Pose;
 
 /// What reaches in no farther, m, stands on it: a fixture on a table.

@@ -121,8 +121,8 @@ fn proof(arm: &SpatialArm, face: &Face, alone: &Question, upper: f64) -> Result<
     BranchAndBound::new(arm, face.zone, alone, [ahead, z], [true, roll_is_free]).prove(upper)
 }
 
-/// What is asked of a face that is let go from others, below and above which they reach: its centre turns about the joint-1 axis into the arm plane, and with it whatever
-/// the part's turn leaves open.
+/// What is asked of a face that is let go from others, which may reach below and above it: its centre turns about the joint-1 axis into the arm
+/// plane, and with it whatever the part's turn leaves open.
 fn alone<'a>(others: &[Face], face: &Face, question: &Question<'a>) -> Question<'a> {
     let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
     let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
@@ -183,22 +183,17 @@ fn stands_of(face: &Face, [ahead, up]: [Interval; 2], orientation: Orientation) 
         range.room_for(half, tolerances::ONE_PLACE).map(|room| room.affine(1.0, -centre))
     };
     let [.., half] = extents(face, 0.0);
-    let across = match turns(orientation) {
+    let across = if orientation == Orientation::Free {
         // The face may lie on any side of the middle.
-        _ if orientation == Orientation::Free => {
-            let far = face.centre[0].hypot(face.centre[1]);
-            Some(Interval::spanning(ahead.min() - far, ahead.max() + far))
-        }
-        turns => {
-            let at = |turn: f64| {
-                let centre = placed(face, &Stand { x: 0.0, z: 0.0, turn }, 0.0).x;
-                room(ahead, extents(face, turn)[0], centre)
-            };
-            turns
-                .into_iter()
-                .filter_map(at)
-                .reduce(|a, b| Interval::spanning(a.min().min(b.min()), a.max().max(b.max())))
-        }
+        let far = face.centre[0].hypot(face.centre[1]);
+        Some(Interval::spanning(ahead.min() - far, ahead.max() + far))
+    } else {
+        let at = |turn: f64| {
+            let centre = placed(face, &Stand { x: 0.0, z: 0.0, turn }, 0.0).x;
+            room(ahead, extents(face, turn)[0], centre)
+        };
+        let whole = |a: Interval, b: Interval| Interval::spanning(a.min().min(b.min()), a.max().max(b.max()));
+        turns(orientation).into_iter().filter_map(at).reduce(whole)
     };
     [across, room(up, half, face.centre[2])]
 }
