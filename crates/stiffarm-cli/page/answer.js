@@ -77,15 +77,18 @@ export function words(sentences, name = "notes") {
 }
 
 /**
- * The verdict of an answer in its three words, with how likely it is held where that is known.
+ * The verdict of an answer in a word or two, with how likely it is held where that is known.
  * @param {{verdict?: string | null, probability?: number | null} | null} answer
  */
 function judged(answer) {
   const word = answer?.verdict;
   if (typeof word !== "string") return [];
   const known = answer?.probability;
+  const passes = word.startsWith("pass");
+  // What forbids a place is sure, and a probability beside it is not of it.
+  const isOfDeflection = passes || word === "fail";
   const sure = typeof known === "number" ? ` (P = ${Math.floor(100 * known + 1e-9)} %)` : word.includes(",") ? " (P not known)" : "";
-  return [el("b", { class: word === "fail" ? "fail" : word === "pass" ? "pass" : "pass unsure" }, [word + sure])];
+  return [el("b", { class: !passes ? "fail" : word === "pass" ? "pass" : "pass unsure" }, [word + (isOfDeflection ? sure : "")])];
 }
 
 /**

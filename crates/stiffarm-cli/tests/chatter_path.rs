@@ -127,6 +127,10 @@ fn the_answer_names_the_worst_line_what_is_not_covered_and_what_is_not_known() {
     let deep = ["mill", "part.nc", "--process", "deep.toml", "--at", MILL[5], "--chatter", "--check"];
     let (code, _, err) = run(folder.path(), &[&deep, &ROBOT, &TOOL, &HELD]);
     assert!(code == Some(3) && err.contains("a cut of 150.000 mm, line") && err.contains("swings from"), "{err}");
+    // What swings passes nothing, whatever is allowed.
+    let allowed = [&deep[..6], &["--chatter", "--tolerance-mm", "500"]].concat();
+    let judged = json(folder.path(), &[&allowed, &ROBOT, &TOOL, &HELD]);
+    assert_eq!((&judged["pass"], &judged["verdict"]), (&true.into(), &"chatter".into()));
     // Without the option nothing is reported of it.
     let without = json(folder.path(), &[&MILL, &ROBOT, &TOOL]);
     assert!(without["chatter"].is_null());

@@ -64,6 +64,22 @@ fn an_overlap_in_the_plane_may_be_a_collision_and_one_by_rounding_is_none() {
     assert!(code == 0 && !text.contains("COLLISION"), "{code} {text}{errors}");
 }
 
+/// A robot that may not carry the force passes nothing, whatever face tells it: 3000 N weigh as much as 306 kg, and it carries 210.
+#[test]
+fn what_may_not_be_carried_does_not_pass() {
+    let asked = [&PLACE[..], &["--force-n", "3000", "--tolerance-mm", "50"]].concat();
+    let answer = json(&asked);
+    assert_eq!((&answer["pass"], &answer["verdict"]), (&true.into(), &"load exceeded".into()));
+    let (code, text, errors) = run(&[&asked[..], &["--check"]].concat());
+    assert!(code == 3 && text.contains("load exceeded; by the deflection alone"), "{code} {text}{errors}");
+    let document = page(&asked);
+    assert!(!document.contains("class=\"good\""), "{document}");
+    let ranked = ["rank", "--robots", KUKA, "--task", "A:0.5", "--force-n", "3000", "--tolerance-mm", "50"];
+    let cell = &json(&ranked)["rows"][0]["cells"][0];
+    assert_eq!((&cell["pass"], &cell["verdict"]), (&true.into(), &"load exceeded".into()));
+    assert!(run(&ranked).1.contains(" LOAD EXCEEDED"));
+}
+
 /// Of one place: tolerances on either side of the 95th percentile and of the nominal value, with drives by the prior and as the paper assumes them.
 #[test]
 fn every_face_says_the_same_of_three_verdicts() {

@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 use serde_json::{Value, json};
 
 use super::payload::{Carried, FlangeLoad};
-use super::place::{put_advice, put_placement};
+use super::place::{put_advice, put_placement, verdict_at};
 use super::uncertainty::{self, Known};
 use super::verdict::Verdict;
 use super::words;
@@ -95,11 +95,10 @@ impl RankAnswer {
 
     /// Whether a row keeps the tolerance at a task; `None` where there is no tolerance, or no place.
     pub fn verdict(&self, at: usize, task: usize) -> Option<Verdict> {
-        let deflection = self.ranking.rows[at].deflection(task)?;
-        let holds = self.known[at][task].and_then(|known| known.holds);
-        let verdict = Verdict::of(deflection, self.tolerance_mm?).with(holds);
-        let is_of_drives_alone = self.clearance(at, task).is_some_and(|clearance| clearance.may_collide());
-        Some(Verdict { is_of_drives_alone, ..verdict })
+        let row = &self.ranking.rows[at];
+        let (best, tolerance) = row.placement(task).zip(self.tolerance_mm)?;
+        let clearance = self.clearance(at, task);
+        Some(verdict_at(best, tolerance, self.known[at][task], (clearance.as_ref(), self.carried(&row.robot))))
     }
 
     /// Of some robot something states the uncertainty of its drive stiffness.

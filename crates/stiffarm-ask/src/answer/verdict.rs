@@ -18,6 +18,35 @@ pub const ON_TOP: [&str; 4] = [
     "Cutter: solid carbide of 10 mm that stands out 40 mm deflects by 0.02 mm under 300 N (cantilever, 600 GPa), and its holder adds to that.",
 ];
 
+/// Why an answer is no, whatever the deflection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Barred {
+    /// The arm, or the work, overlaps with something, or comes nearer to it than was asked.
+    Collides,
+    /// Tool and force are more than the robot may carry.
+    Overloaded,
+    /// The cut swings.
+    Chatters,
+}
+
+impl Barred {
+    const ALL: [Self; 3] = [Self::Collides, Self::Overloaded, Self::Chatters];
+
+    /// In a word or two.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Collides => "collision",
+            Self::Overloaded => "load exceeded",
+            Self::Chatters => "chatter",
+        }
+    }
+
+    /// The one with which a verdict begins.
+    pub(super) fn in_text(text: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|barred| text.starts_with(barred.word()))
+    }
+}
+
 /// Whether a tolerance is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
@@ -30,6 +59,8 @@ pub struct Verdict {
     /// Something that it is not about is known to err by so much that the tolerance is not kept: the geometry of an arm that nobody calibrated, or
     /// what its calibration leaves.
     pub is_of_drives_alone: bool,
+    /// Why the answer is no all the same.
+    pub barred: Option<Barred>,
 }
 
 impl Verdict {
@@ -37,7 +68,7 @@ impl Verdict {
     pub fn of(deflection: f64, tolerance_mm: f64) -> Self {
         let deflection_mm = Unit::Millimetre.of_si(deflection);
         let (passes, margin_mm) = (deflection_mm <= tolerance_mm, tolerance_mm - deflection_mm);
-        Self { passes, margin_mm, probability: None, is_of_drives_alone: false }
+        Self { passes, margin_mm, probability: None, is_of_drives_alone: false, barred: None }
     }
 
     /// The same with how likely it is to be held.
@@ -46,9 +77,12 @@ impl Verdict {
         Self { probability, ..self }
     }
 
-    /// It is held nominally, and with 95 % or more, and nothing else is known to exceed the tolerance.
+    /// It is held nominally, and with 95 % or more, nothing else is known to exceed the tolerance, and nothing bars it.
     pub fn is_sure(self) -> bool {
-        self.passes && !self.is_of_drives_alone && self.probability.is_some_and(|probability| SURE <= probability)
+        self.passes
+            && !self.is_of_drives_alone
+            && self.barred.is_none()
+            && self.probability.is_some_and(|probability| SURE <= probability)
     }
 
     /// It is held nominally, and more likely missed than held.
@@ -56,17 +90,21 @@ impl Verdict {
         self.passes && self.probability.is_some_and(|probability| probability < 0.5)
     }
 
-    /// `pass`, `pass, not sure` or `fail`.
+    /// `pass`, `pass, not sure`, `fail`, or what bars it.
     pub fn word(self) -> &'static str {
-        match (self.passes, self.is_sure()) {
-            (true, true) => "pass",
-            (true, false) => "pass, not sure",
-            (false, _) => "fail",
+        match (self.barred, self.passes, self.is_sure()) {
+            (Some(barred), ..) => barred.word(),
+            (None, true, true) => "pass",
+            (None, true, false) => "pass, not sure",
+            (None, false, _) => "fail",
         }
     }
 
     /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`. Below 50 % it is more likely missed, and that is said.
     pub fn in_words(self) -> String {
+        if let Some(barred) = self.barred {
+            return format!("{}; by the deflection alone: {}", barred.word(), Self { barred: None, ..self }.in_words());
+        }
         match self.probability {
             Some(probability) => {
                 let of_drives = if self.passes && self.is_of_drives_alone { " of the drives alone" } else { "" };
@@ -78,8 +116,11 @@ impl Verdict {
         }
     }
 
-    /// The same as it stands in a column beside a deflection: `pass +0.120, P 97 %`.
+    /// The same as it stands in a column beside a deflection: `pass +0.120, P 97 %`, `COLLISION`.
     pub(super) fn short(self) -> String {
+        if let Some(barred) = self.barred {
+            return barred.word().to_uppercase();
+        }
         let alone = if self.passes && self.is_of_drives_alone { " (drives)" } else { "" };
         let probability = self.probability.map_or_else(String::new, |known| format!(", P {}{alone}", percent(known)));
         format!("{} {:+.3}{probability}", self.word(), self.margin_mm)
@@ -123,6 +164,16 @@ mod tests {
             assert_eq!((verdict.word(), verdict.in_words().as_str()), (word, expected));
         }
         assert_eq!(Verdict::of(1.8e-3, 2.0).with(Some(0.97)).short(), "pass +0.200, P 97 %");
+    }
+
+    #[test]
+    fn what_bars_an_answer_comes_before_its_deflection() {
+        let verdict = Verdict { barred: Some(Barred::Overloaded), ..Verdict::of(1.8e-3, 2.0).with(Some(0.97)) };
+        assert!(verdict.passes && !verdict.is_sure());
+        assert_eq!((verdict.word(), verdict.short().as_str()), ("load exceeded", "LOAD EXCEEDED"));
+        assert_eq!(verdict.in_words(), "load exceeded; by the deflection alone: pass (P = 97 %)");
+        assert_eq!(Barred::in_text(&verdict.in_words()), Some(Barred::Overloaded));
+        assert_eq!(Barred::in_text("pass (P = 97 %)"), None);
     }
 
     /// By hand: 1 arc minute is 1/60 deg; a cantilever bends by F L^3 / (3 E I), with I = pi d^4 / 64.

@@ -1660,7 +1660,8 @@ class PlacedInRanking(_Pass):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2058,7 +2059,8 @@ class PathRankingRow(_Pass):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2345,7 +2347,8 @@ class Placed(_Pass):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2574,7 +2577,8 @@ class CompensatedPath(TypedDict):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2794,7 +2798,8 @@ class MilledDict(_Pass):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -3014,7 +3019,8 @@ class MilledWithTool(_Pass):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -3088,7 +3094,8 @@ class MilledByToolDict(_Pass):
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
     geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else."""
+    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
+    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an

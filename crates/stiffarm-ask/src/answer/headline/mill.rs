@@ -23,12 +23,10 @@ impl MillAnswer {
             }
             Some(found) => {
                 let (judged, sentences) = self.judgement(found);
-                let forbidden = self.contact_sentence().map(|touched| (Outcome::Collides, touched));
-                let overloaded = || Some((Outcome::Overloaded, self.overload_sentence()?));
-                match forbidden.or_else(overloaded) {
-                    None => (judged, sentences),
-                    Some((outcome, why)) => (outcome, [why].into_iter().chain(sentences).collect()),
-                }
+                // What swings is told below.
+                let loud = self.contact_sentence().or_else(|| self.overload_sentence());
+                let outcome = self.barred().map_or(judged, Outcome::from);
+                (outcome, loud.into_iter().chain(sentences).collect())
             }
         };
         let sentences: Vec<String> =

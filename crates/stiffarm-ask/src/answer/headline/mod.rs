@@ -9,7 +9,7 @@ mod place;
 mod rank;
 
 use super::uncertainty::of_what;
-use super::verdict::{HOLDS, SURE, Verdict, percent};
+use super::verdict::{Barred, HOLDS, SURE, Verdict, percent};
 use super::words::{fixed, status};
 use super::{Unit, stiffness, stiffnesses};
 use stiffarm::robot::{Robot, Status, StiffnessSource};
@@ -34,6 +34,8 @@ pub enum Outcome {
     Tie,
     /// Tool and force are more than the robot may carry.
     Overloaded,
+    /// The cut swings.
+    Chatters,
     /// One robot is advised; no tolerance was asked.
     Advised,
     /// Numbers; no tolerance was asked.
@@ -70,11 +72,12 @@ impl Outcome {
             Self::Passes => "pass",
             Self::PassesPerhaps => "pass, not sure",
             Self::Fails => "fail",
-            Self::Collides => "collision",
+            Self::Collides => Barred::Collides.word(),
             Self::NoPlace => "no place",
             Self::NotFollowed => "not followed",
             Self::Tie => "tie",
-            Self::Overloaded => "load exceeded",
+            Self::Overloaded => Barred::Overloaded.word(),
+            Self::Chatters => Barred::Chatters.word(),
             Self::Advised => "advised",
             Self::Computed => "computed",
             Self::Identified => "identified",
@@ -89,7 +92,9 @@ impl Outcome {
     pub const fn tone(self) -> Tone {
         match self {
             Self::Passes | Self::Advised | Self::Identified | Self::Calibrated => Tone::Good,
-            Self::Fails | Self::Collides | Self::NoPlace | Self::NotFollowed | Self::Overloaded => Tone::Bad,
+            Self::Fails | Self::Collides | Self::NoPlace | Self::NotFollowed | Self::Overloaded | Self::Chatters => {
+                Tone::Bad
+            }
             Self::PassesPerhaps | Self::Tie | Self::PartlyIdentified | Self::NotIdentified | Self::PartlyCalibrated => {
                 Tone::Open
             }
@@ -102,7 +107,7 @@ impl Outcome {
 pub fn tone_of(text: &str) -> Option<Tone> {
     let says = |word: &str| text.split([' ', ',', ':', ';']).any(|part| part == word);
     match () {
-        () if says("fail") => Some(Tone::Bad),
+        () if says("fail") || Barred::in_text(text).is_some() => Some(Tone::Bad),
         () if text.contains("pass, not sure") => Some(Tone::Open),
         () if says("pass") => Some(Tone::Good),
         () => None,
@@ -127,10 +132,21 @@ fn mm(metres: f64) -> String {
 
 /// In a word.
 fn judged(verdict: Verdict) -> Outcome {
-    match (verdict.passes, verdict.is_sure()) {
-        (false, _) => Outcome::Fails,
-        (true, false) => Outcome::PassesPerhaps,
-        (true, true) => Outcome::Passes,
+    match (verdict.barred, verdict.passes, verdict.is_sure()) {
+        (Some(barred), ..) => Outcome::from(barred),
+        (None, false, _) => Outcome::Fails,
+        (None, true, false) => Outcome::PassesPerhaps,
+        (None, true, true) => Outcome::Passes,
+    }
+}
+
+impl From<Barred> for Outcome {
+    fn from(barred: Barred) -> Self {
+        match barred {
+            Barred::Collides => Self::Collides,
+            Barred::Overloaded => Self::Overloaded,
+            Barred::Chatters => Self::Chatters,
+        }
     }
 }
 

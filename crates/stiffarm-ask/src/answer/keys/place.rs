@@ -94,8 +94,8 @@ fields! {
     HALVING: "halving", Kind::Number(Unit::One), "By how much the value grew when that distance was halved last, relative.";
     BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
-    PASS: "pass", Kind::Truth, "The tolerance is kept, at the nominal stiffness.";
-    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
+    PASS: "pass", Kind::Truth, "The deflection keeps the tolerance, at the nominal stiffness, whatever else forbids the place: see verdict.";
+    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter.";
     PROBABILITY: "probability", Kind::Number(Unit::One), "Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an identified model; null where neither uncertainty is known.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
     ADVICE: "advice", Kind::Object, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";

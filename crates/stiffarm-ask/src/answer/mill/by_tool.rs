@@ -106,7 +106,7 @@ impl ByToolAnswer {
         let (tolerance, (_, worst)) = self.tolerance_mm.zip(self.worst())?;
         let known = self.largest_drawn(|milled| milled.draws.as_ref()).map(|draws| Known::of(draws, Some(tolerance)));
         let verdict = Verdict::of(worst, tolerance).with(known.and_then(|known| known.holds));
-        Some(Verdict { is_of_drives_alone: self.is_of_drives_alone(MillAnswer::verdict), ..verdict })
+        Some(self.as_of_each(verdict, MillAnswer::verdict))
     }
 
     /// The same of what compensation leaves, the median of the draws as the nominal value.
@@ -114,11 +114,17 @@ impl ByToolAnswer {
         let (tolerance, left) = self.tolerance_mm.zip(self.drawn_left())?;
         let known = Known::of(left, Some(tolerance));
         let verdict = Verdict::of(known.spread.median, tolerance).with(known.holds);
-        Some(Verdict { is_of_drives_alone: self.is_of_drives_alone(MillAnswer::compensated_verdict), ..verdict })
+        Some(self.as_of_each(verdict, MillAnswer::compensated_verdict))
     }
 
-    fn is_of_drives_alone(&self, verdict: fn(&MillAnswer) -> Option<Verdict>) -> bool {
-        self.sections.iter().any(|section| verdict(&section.milled).is_some_and(|verdict| verdict.is_of_drives_alone))
+    /// What limits the verdict on one tool limits that on all.
+    fn as_of_each(&self, verdict: Verdict, of: fn(&MillAnswer) -> Option<Verdict>) -> Verdict {
+        let each = || self.sections.iter().filter_map(|section| of(&section.milled));
+        Verdict {
+            is_of_drives_alone: each().any(|verdict| verdict.is_of_drives_alone),
+            barred: each().find_map(|verdict| verdict.barred),
+            ..verdict
+        }
     }
 
     /// The largest of all tools in every draw: the drives of a draw are the same for all.

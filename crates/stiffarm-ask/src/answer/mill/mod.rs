@@ -25,7 +25,7 @@ use serde_json::Value;
 
 use super::payload::{Carried, FlangeLoad};
 use super::uncertainty::Known;
-use super::verdict::Verdict;
+use super::verdict::{Barred, Verdict};
 use super::{fixed, with_schema};
 use crate::request::Refusal;
 use stiffarm::chatter::ChatterError;
@@ -189,7 +189,14 @@ impl MillAnswer {
     fn judged(&self, deflection: f64, holds: Option<f64>, is_compensated: bool) -> Option<Verdict> {
         let tolerance = self.tolerance_mm?;
         let is_of_drives_alone = self.geometry_exceeds(tolerance, deflection, is_compensated).is_some();
-        Some(Verdict { is_of_drives_alone, ..Verdict::of(deflection, tolerance).with(holds) })
+        Some(Verdict { is_of_drives_alone, barred: self.barred(), ..Verdict::of(deflection, tolerance).with(holds) })
+    }
+
+    /// Why the answer is no, whatever the error.
+    pub(super) fn barred(&self) -> Option<Barred> {
+        let collides = self.forbidding_contact().map(|_| Barred::Collides);
+        let chatters = || self.chatter_shortfall().map(|_| Barred::Chatters);
+        collides.or_else(chatters).or_else(|| self.carried().is_exceeded().then_some(Barred::Overloaded))
     }
 
     /// The same of what is milled: who compensates sends a program that leaves the median of the draws. Where nothing is known of the drives nobody

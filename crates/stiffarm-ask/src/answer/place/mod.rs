@@ -9,7 +9,7 @@ use super::uncertainty::Known;
 use super::verdict::Verdict;
 use super::words::fixed;
 use super::{Rows, margins, payload, shape, with_schema, words};
-pub(super) use record::{clearance, put_advice, put_placement};
+pub(super) use record::{clearance, put_advice, put_placement, verdict_at};
 use stiffarm::advice::Advice;
 use stiffarm::cell::Window;
 use stiffarm::clearance::Clearance;
@@ -57,9 +57,7 @@ impl PlaceAnswer {
     /// Whether the tolerance is kept at the best place; `None` where there is none of the two.
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, best) = self.tolerance_mm.zip(self.best())?;
-        let is_of_drives_alone = self.clearance().is_some_and(|clearance| clearance.may_collide());
-        let verdict = Verdict::of(best.deflection, tolerance).with(self.known().and_then(|known| known.holds));
-        Some(Verdict { is_of_drives_alone, ..verdict })
+        Some(verdict_at(best, tolerance, self.known(), (self.clearance().as_ref(), self.carried())))
     }
 
     /// The best place, where there is one.

@@ -1,12 +1,11 @@
 //! A placement field by field.
 
 use super::super::cell as cell_report;
+use super::super::payload::{Carried, FlangeLoad};
 use super::super::uncertainty::Known;
-use super::super::verdict::Verdict;
+use super::super::verdict::{Barred, Verdict};
 use super::super::words::tool_mm;
-use super::super::{
-    Datum, Record, advice, field, force, margins, payload, shape, stiffness, uncertainty, verdict, words,
-};
+use super::super::{Datum, Record, advice, field, force, margins, shape, stiffness, uncertainty, verdict, words};
 use super::PlaceAnswer;
 use stiffarm::advice::Advice;
 use stiffarm::clearance::Clearance;
@@ -65,7 +64,8 @@ pub(in crate::answer) fn put_placement(
     stiffness::put_robot(record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name());
     force::put(record, options.load);
-    payload::FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot).put(record);
+    let carried = FlangeLoad::of(options.tool_weight, model, options.load.newtons()).by(robot);
+    carried.put(record);
     asked(record, robot, model, options);
     outcome(record, placed);
     record
@@ -76,10 +76,25 @@ pub(in crate::answer) fn put_placement(
     let clearance = best.and_then(|best| clearance(robot, (model, options), task, best));
     held(record, (robot, best, clearance), options);
     uncertainty::put(record, known.map(|known| known.spread));
-    let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
-    let is_of_drives_alone = clearance.is_some_and(|clearance| clearance.may_collide());
-    let held = held.map(|held| Verdict { is_of_drives_alone, ..held.with(known.and_then(|known| known.holds)) });
+    let held = tolerance_mm
+        .zip(best)
+        .map(|(tolerance, best)| verdict_at(best, tolerance, known, (clearance.as_ref(), carried)));
     verdict::put(record, tolerance_mm, held, best.is_none() && placed.is_ok());
+}
+
+/// Whether a place keeps a tolerance, mm, and may be taken: how near the arm comes to anything there, and what it carries.
+pub(in crate::answer) fn verdict_at(
+    best: &Placement,
+    tolerance_mm: f64,
+    known: Option<Known>,
+    (clearance, carried): (Option<&Clearance>, Carried),
+) -> Verdict {
+    let collides = clearance.is_some_and(Clearance::is_collision);
+    Verdict {
+        is_of_drives_alone: clearance.is_some_and(Clearance::may_collide),
+        barred: collides.then_some(Barred::Collides).or(carried.is_exceeded().then_some(Barred::Overloaded)),
+        ..Verdict::of(best.deflection, tolerance_mm).with(known.and_then(|known| known.holds))
+    }
 }
 
 /// How near the arm comes to anything at a place.

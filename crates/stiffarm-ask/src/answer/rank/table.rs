@@ -120,13 +120,14 @@ impl RankAnswer {
             (false, false) if rivals.iter().any(|rival| rival.robot == row.robot) => "=",
             (false, false) => "",
         };
-        let loud = if self.collides(at, task) { " COLLISION" } else { "" };
-        // As on a path: who may not carry it passes nothing.
+        // As on a path: who collides or may not carry it passes nothing.
         let judged = match self.verdict(at, task) {
-            _ if self.carried(&row.robot).is_exceeded() => " LOAD EXCEEDED".into(),
-            verdict => verdict.map_or_else(String::new, |verdict| format!(" {}", verdict.short())),
+            Some(verdict) => format!(" {}", verdict.short()),
+            None if self.collides(at, task) => " COLLISION".into(),
+            None if self.carried(&row.robot).is_exceeded() => " LOAD EXCEEDED".into(),
+            None => String::new(),
         };
-        format!("{}{mark}{judged}{loud}", fixed(deflection * 1e3, 3))
+        format!("{}{mark}{judged}", fixed(deflection * 1e3, 3))
     }
 }
 
