@@ -103,8 +103,8 @@ fn any_arm(rng: &mut Rng) -> Geometry {
     let mut long = |from: f64| from + rng.f64();
     let (c1, c2, c3, c4) = (long(0.2), long(0.3), long(0.3), long(0.05));
     let mut turned = |most: f64| (rng.f64() - 0.5) * 2.0 * most;
-    // Forwards is where the base's x axis points: further round, the same arm is described as bending backwards.
-    let offset = [turned(1.4), turned(PI), turned(PI), turned(PI), turned(PI), turned(PI)];
+    // Of an arm whose shoulder stands above axis 1 forwards is where the base's x axis points: further round, it is described as bending backwards.
+    let offset = [turned(if a1 == 0.0 { 1.4 } else { PI }), turned(PI), turned(PI), turned(PI), turned(PI), turned(PI)];
     let sign = std::array::from_fn(|_| if rng.bool() { 1.0 } else { -1.0 });
     Geometry { a1, a2, b, c1, c2, c3, c4, offset, sign }
 }
@@ -200,10 +200,22 @@ fn an_arm_that_faces_sideways_or_backwards_at_zero_keeps_its_lengths() {
         assert_eq!(lengths(geometry(&imported)), [0.3, -0.15, 0.0, 0.6, 1.0, 1.1, 0.2]);
         assert!((geometry(&imported).offset[0] - offset).abs() < 1e-9);
     }
-    // The base's x axis says where forwards is: the arm stands behind axis 1 and bends the other way.
-    let backwards = facing("0 0 3.141592653589793");
-    assert_eq!(lengths(geometry(&backwards))[..2], [-0.3, 0.15]);
-    assert!(backwards.largest_error < 1e-9);
+    // However the base frame is turned, it is the same arm: the shoulder says where forwards is, and joint 1 has the turn.
+    let drawn = plain(EXAMPLE).unwrap();
+    for rpy in ["0 0 3.141592653589793", "0 0 1.75", "0 0 -2.5"] {
+        let turned = facing(rpy);
+        for (found, expected) in lengths(geometry(&turned)).into_iter().zip(lengths(geometry(&drawn))) {
+            assert!((found - expected).abs() < 1e-9, "{rpy}: {found} {expected}");
+        }
+        assert!(turned.largest_error < 1e-9);
+        let planes = [&turned, &drawn].map(|one| one.robot.arm_plane().unwrap());
+        assert!((planes[0].arm.l3 - planes[1].arm.l3).abs() < 1e-9);
+    }
+    // A shoulder above axis 1 says nothing of it; then the base's x axis does.
+    let above = replaced(EXAMPLE, r#"<origin xyz="0.3 0 0.2"/>"#, r#"<origin xyz="0 0 0.2"/>"#);
+    let first = r#"<origin xyz="0 0 0.4" rpy="0 0 3.141592653589793"/>"#;
+    let above = plain(&replaced(&above, r#"<origin xyz="0 0 0.4"/>"#, first)).unwrap();
+    assert_eq!(lengths(geometry(&above))[..2], [0.0, 0.15]);
 }
 
 #[test]
@@ -622,6 +634,10 @@ fn a_flange_beside_axis_6_is_refused_where_it_is_named_and_passed_over_where_not
         r#"<link name="side_flange"/><joint name="s" type="fixed"><origin xyz="0.1 0.1 0"/><parent link="link_6"/><child link="side_flange"/></joint></robot>"#,
     );
     assert!(plain(&text).unwrap().notes.join("\n").contains("'tool0'"));
+    // Where it is the only one, what was taken instead is not all that is said.
+    let only = text.replace("\"flange\"", "\"plate\"").replace("tool0", "tip");
+    let notes = plain(&only).unwrap().notes.join("\n");
+    assert!(notes.contains("link 'side_flange' stands 100.0 mm beside axis 6 and is taken for no flange"), "{notes}");
     let named = ImportOptions { tip: Some("side_flange".into()), ..ImportOptions::default() };
     let error = import(&text, "x.urdf", &named).unwrap_err();
     assert!(error.to_string().contains("link 'side_flange' stands 100.0 mm beside axis 6"), "{error}");
@@ -681,6 +697,18 @@ fn speeds_are_taken_where_every_joint_has_one() {
         assert_eq!(limits.speeds, None);
         assert!(imported.notes.join("\n").contains("not every joint has a speed"), "{:?}", imported.notes);
     }
+}
+
+#[test]
+fn soft_limits_are_told_where_they_leave_less() {
+    let soft = |most: &str| {
+        let controller =
+            format!(r#"<safety_controller soft_lower_limit="-1.1345" soft_upper_limit="{most}" k_velocity="1"/>"#);
+        let limit = r#"<limit lower="-1.1345" upper="1.4835" effort="0" velocity="1.7453"/>"#;
+        plain(&replaced(EXAMPLE, limit, &(limit.to_owned() + &controller))).unwrap().notes.join("\n")
+    };
+    assert!(soft("0.2").contains("soft limits of safety controllers leave less and are not taken"), "{}", soft("0.2"));
+    assert!(soft("0.2").contains("joint_2") && !soft("1.4835").contains("soft limits"));
 }
 
 #[test]

@@ -14,8 +14,8 @@ use super::{MEETS_M, REPORTED_DEG, REPORTED_M, STRAIGHT_DEG};
 use crate::catalogue::reader::Log;
 use crate::geometry::Geometry;
 
-/// Shorter than this, m, a horizontal distance gives no direction.
-const NO_LENGTH: f64 = 1e-3;
+/// A shoulder that stands nearer than this, m, stands above axis 1, and a measured arm may have it on either side.
+const SHOULDER: f64 = 0.01;
 
 /// What was recovered.
 #[derive(Debug)]
@@ -164,15 +164,16 @@ fn passing(axis: &Axis, other: &Axis) -> (f64, f64) {
     (from.dot(&across).abs(), from.dot(&ahead) / ahead.norm_squared())
 }
 
-/// Forwards is where the base's x axis points; where the arm stands across it, where axis 2 stands before axis 1.
+/// Forwards is where axis 2 stands before axis 1, as of every arm, however its base frame is turned; where it stands above it, where the
+/// base's x axis points.
 fn frame(axes: &[Axis; 6], foot: &Vector3<f64>) -> Frame {
     let across = axes[1].along;
     let forwards = across.cross(&Vector3::z()).normalize();
     let shoulder = (axes[1].through.coords - foot).dot(&forwards);
-    let says = if 0.1 < forwards.x.abs() {
-        forwards.x
-    } else if NO_LENGTH < shoulder.abs() {
+    let says = if SHOULDER < shoulder.abs() {
         shoulder
+    } else if 0.1 < forwards.x.abs() {
+        forwards.x
     } else {
         forwards.y
     };

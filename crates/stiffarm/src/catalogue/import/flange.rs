@@ -101,6 +101,11 @@ pub(super) fn flange(
     if meant == square && REPORTED_DEG < lean.to_degrees() {
         left.push(format!("link '{}' leans by {:.4} deg against axis 6", shown(name), lean.to_degrees()));
     }
+    let called = |name: &str| name.ends_with("flange") || name.ends_with("tool0");
+    let passed_over = ends.iter().filter(|(end, pose)| tip.is_none() && !called(name) && called(end) && !on_axis(pose));
+    left.extend(passed_over.map(|(end, pose)| {
+        format!("link '{}' stands {:.1} mm beside axis 6 and is taken for no flange", shown(end), aside(pose) * 1e3)
+    }));
     let about = onto.axis().map(|axis| pose.rotation.inverse() * axis.into_inner());
     let note = note(name, angle.to_degrees(), about.as_ref(), from_wrist.abs() <= NO_LENGTH, tip.is_some());
     Some(Flange { centre, out, turned, in_link: link.inverse() * stands, note, left })

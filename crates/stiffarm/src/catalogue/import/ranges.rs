@@ -28,6 +28,14 @@ pub(super) fn joint_limits(
     if !names.is_empty() && options.limits.is_none() {
         notes.push(format!("continuous joints with limits, which are taken: {}", names.join(", ")));
     }
+    let softer: Vec<_> =
+        chain.joints.iter().filter(|joint| joint.limit.is_softer()).map(|joint| shown(&joint.name)).collect();
+    if !softer.is_empty() && options.limits.is_none() {
+        let names = softer.join(", ");
+        notes.push(format!(
+            "soft limits of safety controllers leave less and are not taken (--limits-deg states them): {names}"
+        ));
+    }
     let speeds: Vec<f64> = chain.joints.iter().filter_map(|joint| joint.limit.velocity).collect();
     let speeds = speeds.iter().all(|speed| SPEEDS.contains(speed)).then_some(speeds);
     let speeds: Option<[f64; 6]> = speeds.and_then(|speeds| speeds.try_into().ok());

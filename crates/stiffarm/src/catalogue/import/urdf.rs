@@ -77,6 +77,19 @@ pub(super) struct Limit {
     pub(super) upper: Option<f64>,
     pub(super) velocity: Option<f64>,
     pub(super) effort: Option<f64>,
+    /// From where to where a safety controller lets it turn.
+    pub(super) soft: [Option<f64>; 2],
+}
+
+impl Limit {
+    /// The safety controller leaves less than the limits do.
+    pub(super) fn is_softer(&self) -> bool {
+        let [lower, upper] = self.soft;
+        let narrower = |soft: Option<f64>, hard: Option<f64>, is: fn(f64, f64) -> bool| {
+            soft.zip(hard).is_some_and(|(soft, hard)| is(soft, hard))
+        };
+        narrower(lower, self.lower, |soft, hard| hard < soft) || narrower(upper, self.upper, |soft, hard| soft < hard)
+    }
 }
 
 /// Reads a URDF without macros; faults go to the log, and then what is returned is not to be used.
@@ -238,13 +251,16 @@ impl<'l> Reader<'l> {
     }
 
     fn limit(&self, node: &Node) -> Option<Limit> {
-        let Some(limit) = child(node, "limit") else { return Some(Limit::default()) };
+        let number = |element: &'static str, name: &str, unit: &str| {
+            let Some(found) = child(node, element) else { return Some(None) };
+            let Some(text) = found.attribute(name) else { return Some(None) };
+            self.number(&found, &format!("{element} {name}"), text, f64::MAX, unit).map(Some)
+        };
         let [lower, upper, velocity, effort] =
-            [("lower", "rad"), ("upper", "rad"), ("velocity", "rad"), ("effort", "N m")].map(|(name, unit)| {
-                let Some(text) = limit.attribute(name) else { return Some(None) };
-                self.number(&limit, &format!("limit {name}"), text, f64::MAX, unit).map(Some)
-            });
-        Some(Limit { lower: lower?, upper: upper?, velocity: velocity?, effort: effort? })
+            [("lower", "rad"), ("upper", "rad"), ("velocity", "rad"), ("effort", "N m")]
+                .map(|(name, unit)| number("limit", name, unit));
+        let [from, to] = ["soft_lower_limit", "soft_upper_limit"].map(|name| number("safety_controller", name, "rad"));
+        Some(Limit { lower: lower?, upper: upper?, velocity: velocity?, effort: effort?, soft: [from?, to?] })
     }
 
     fn vector(&self, node: &Node, name: &str, default: [f64; 3], most: f64, unit: &str) -> Option<[f64; 3]> {
