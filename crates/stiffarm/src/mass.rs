@@ -19,6 +19,10 @@ pub(crate) use matrix::{LinkDirections, inertia_of};
 pub const LEAST_KG: f64 = 1e-3;
 /// Rounding of what is published: the triangle inequality may be missed by this share of the largest principal moment.
 const SLACK: f64 = 1e-3;
+/// No body of a kilogram or more has a radius of gyration as small as this, m: a ball of 1 kg of steel has 0.02.
+const SMALLEST: f64 = 0.005;
+/// And no part of an arm one as large as this, m: a rod of 3 m has 0.9.
+const LARGEST: f64 = 2.0;
 
 /// Mass, its centre and the inertia about that centre, in the axes of some frame, which whoever holds it names.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -156,6 +160,19 @@ impl RigidBody {
         Some(format!(
             "no body has this inertia: its principal moments are {least:.4}, {middle:.4} and {largest:.4} kg m^2; expected none negative, and each at most the sum of the other two"
         ))
+    }
+
+    /// Why no part of an arm has this inertia beside its mass, by its radius of gyration.
+    pub fn size_fault(&self) -> Option<String> {
+        let largest = self.inertia.symmetric_eigenvalues().max();
+        let gyration = (largest / self.mass).sqrt();
+        let is_sized = gyration <= LARGEST && (self.mass < 1.0 || SMALLEST <= gyration);
+        (!is_sized).then(|| {
+            format!(
+                "{largest} kg m2 at most beside {} kg is a radius of gyration of {gyration:.4} m; expected {SMALLEST} to {LARGEST} m",
+                self.mass
+            )
+        })
     }
 }
 

@@ -232,7 +232,7 @@ fn placeholders_and_centres_where_no_body_is_are_refused_by_the_name_of_the_link
         (weight(2, 0.0), "link 'link_2', which joint joint_2 turns, has no mass"),
         (with(&weights([1.0; 6])), "all moving links weigh 1 kg, a placeholder"),
         (weight(1, 30_000.0), "together they weigh 30411 kg"),
-        (with(&small), "link 'link_3' weighs 150 kg and has 0.000001 kg m2 at most"),
+        (with(&small), "link 'link_3': 0.000001 kg m2 at most beside 150 kg is a radius of gyration"),
         (follower(), "link 'counterweight' weighs 400 kg and follows a joint"),
         (with(&lacking), "link 'link_4', which joint joint_4 turns, has no mass"),
         (with(&flat), "link 'link_5': no body has this inertia"),

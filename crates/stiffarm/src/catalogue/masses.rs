@@ -42,7 +42,10 @@ fn mass(mut table: Table, geometry: Option<&Geometry>) -> Option<Mass> {
         (Some(mass), Some(centre), Some(inertia)) => Some(RigidBody::new(mass, centre, inertia)),
         _ => None,
     };
-    if let Some(fault) = body.and_then(|body| body.inertia_fault()) {
+    // A body may be stated as a point.
+    let sized = body.filter(|body| body.elements() != [0.0; 6]);
+    let fault = body.and_then(|body| body.inertia_fault());
+    if let Some(fault) = fault.or_else(|| sized?.size_fault()) {
         table.fault("inertia_kg_m2", fault);
     }
     if let (Some(geometry), Some(carrier), Some(centre)) = (geometry, carrier, centre) {

@@ -92,6 +92,18 @@ fn inertias_that_no_body_has_are_reported_and_those_of_rods_and_plates_are_not()
     assert!(with([-0.1, 1.0, 1.0]).is_some() && with([f64::NAN, 1.0, 1.0]).is_some());
 }
 
+/// By hand: 100 kg at 0.1 m about each axis are 1 kg m^2; 0.1 kg with 5 kg m^2 turn as if they were 7.07 m away.
+#[test]
+fn an_inertia_in_another_unit_is_told_by_the_radius_of_gyration() {
+    let with = |mass: f64, about: f64| {
+        RigidBody::new(mass, Vector3::zeros(), [about, 0.0, 0.0, about, 0.0, about]).size_fault()
+    };
+    assert_eq!([with(100.0, 1.0), with(0.1, 1e-6), with(1.0, 2.5e-5)], [None, None, None]);
+    assert!(with(100.0, 5e-6).unwrap().contains("a radius of gyration of 0.0002 m; expected 0.005 to 2 m"));
+    assert!(with(0.1, 5.0).unwrap().contains("a radius of gyration of 7.0711 m"));
+    assert!(with(100.0, 5000.0).is_some() && with(100.0, f64::NAN).is_some());
+}
+
 #[test]
 fn two_points_as_one_body_have_the_reduced_mass_about_their_centre() {
     // 2 kg and 6 kg, 4 m apart along y: centre at 3 m, 2 x 6 / 8 x 16 = 24 kg m^2 across.

@@ -28,8 +28,6 @@ const DIGITS: f64 = 1e9;
 const OFF_LINE: f64 = 0.15;
 /// No arm weighs more, kg: the largest ones weigh 5 t.
 const HEAVIEST: f64 = 10_000.0;
-/// No body of a kilogram or more is this small, m: its radius of gyration; a ball of 1 kg of steel has 0.02.
-const SMALLEST: f64 = 0.005;
 
 /// The bodies of an arm, and what is to be said of them.
 pub(super) type Bodies = (Vec<Mass>, Vec<String>);
@@ -115,15 +113,8 @@ fn check(name: &str, body: &RigidBody) -> Result<(), String> {
     if body.mass < LEAST_KG {
         return Err(format!("link '{name}' weighs {} kg, a placeholder", body.mass));
     }
-    if let Some(fault) = body.inertia_fault() {
+    if let Some(fault) = body.inertia_fault().or_else(|| body.size_fault()) {
         return Err(format!("link '{name}': {fault}"));
-    }
-    let largest = body.inertia.symmetric_eigenvalues().max();
-    if 1.0 <= body.mass && largest < body.mass * SMALLEST * SMALLEST {
-        return Err(format!(
-            "link '{name}' weighs {} kg and has {largest} kg m2 at most, less than any body of this mass",
-            body.mass
-        ));
     }
     Ok(())
 }
