@@ -211,7 +211,7 @@ fn what_says_nothing_of_a_calibration_is_refused() {
         (&["--tool", "spindle:250@90"], "without a task"),
         (&["--tool-mm", "0,0,200"], "without a task"),
         (&["--candidates", "30000"], "at most 20000"),
-        (&["--marker-mm", "a=0,0,1;b=0,1,0;c=1,0,0;d=1,1,0;e=0,0,2"], "at most 4"),
+        (&["--marker-mm", "a=0,0,100;b=0,100,0;c=100,0,0;d=100,100,0;e=0,0,200"], "at most 4"),
         (&["--runs", "4"], "at least 6"),
     ] {
         let asked = [&["measure", "KR 210 R2700 extra", "--geometry"], words].concat();

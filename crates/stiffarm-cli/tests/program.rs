@@ -230,7 +230,11 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["rank", "-o", "ranking.json/"], 1, "cannot write ranking.json/: is a directory"),
         (&["rank", "-o", "ranking.json/."], 1, "cannot write ranking.json/.: is a directory"),
         (&["identify", "a.csv", "--robot", "BT200L", "--regions", "3"], 2, "--regions says nothing of this model"),
-        (&["measure", "BT200L", "--runs", "200", "--candidates", "100"], 2, "--runs of 200 among 100 candidates"),
+        (
+            &["measure", "BT200L", "--runs", "700", "--candidates", "100", "--repeats", "6"],
+            2,
+            "--runs of 700 among 100 candidates, each at most 6 times; expected at most 600",
+        ),
         (&["measure", "BT200L", "--criterion", "d", "--task", "A:0.5"], 2, "--task says nothing where the drives"),
         (&["rank", "-o", "-"], 2, "hint: without -o the answer goes to standard output; --format json"),
         (&["study", "--k2", "inf"], 2, "'inf' for '--k2 <K>': expected a number from 0.001 to 1000"),

@@ -251,7 +251,8 @@ fn the_instrument_sees_every_run_and_what_it_cannot_see_is_no_candidate() {
     assert!(anywhere.runs.iter().any(|run| acceptance < off(&run.q)), "it would have been so by itself");
     // Inside the column it sees nothing.
     let blind = Options { instrument: Some(Instrument { at: Vector3::new(0.0, 0.0, 0.3), cone: None }), ..usual() };
-    assert_eq!(plan(&robot, &blind, Watch::nobody()), Err(MeasureError::NoCandidate));
+    let seen = plan(&robot, &blind, Watch::nobody());
+    assert!(matches!(seen, Err(MeasureError::NoCandidate { looked_at }) if 1000 < looked_at), "{seen:?}");
 }
 
 #[test]
@@ -277,7 +278,13 @@ fn what_cannot_be_planned_is_refused_with_the_reason() {
     let robot = kuka();
     let far = Interval::spanning(50.0, 60.0);
     let nowhere = Options { window: Some([far; 3]), ..usual() };
-    assert_eq!(plan(&robot, &nowhere, Watch::nobody()).unwrap_err(), MeasureError::NoCandidate);
+    let found = plan(&robot, &nowhere, Watch::nobody()).unwrap_err().to_string();
+    assert!(found.starts_with("none of ") && found.contains(" postures that were looked at has"), "{found}");
+    // A robot on a pedestal: the window says how deep the floor is.
+    let [x, y, z] = [(0.5, 3.0), (-2.0, 2.0), (-1.0, -0.1)].map(|(from, to)| Interval::spanning(from, to));
+    let below = plan(&robot, &Options { window: Some([x, y, z]), ..usual() }, Watch::nobody()).unwrap();
+    let tips = below.runs.iter().map(|run| compliance(&robot, &run.q, &Pose::translation(0.0, 0.1, 0.25)).unwrap());
+    assert!(tips.map(|at| at.tool.translation.vector.z).all(|height| (-1.0..=-0.1).contains(&height)));
     assert!(matches!(
         plan(&robot, &Options { runs: 1, ..usual() }, Watch::nobody()),
         Err(MeasureError::TooFew { least: 2, .. })

@@ -89,10 +89,12 @@ impl Request {
             self.check_geometry()?;
         }
         let (runs, candidates) = (self.value(opt::RUNS), self.value(opt::CANDIDATES));
-        if candidates < runs {
-            return Err(
-                self.refused(opt::RUNS, format!("of {runs} among {candidates} candidates; expected at most as many"))
-            );
+        let repeats = if self.plans_geometry() { 1 } else { self.value(opt::REPEATS) };
+        let most = candidates.saturating_mul(repeats);
+        if most < runs {
+            let each = if repeats == 1 { String::new() } else { format!(", each at most {repeats} times") };
+            let why = format!("of {runs} among {candidates} candidates{each}; expected at most {most}");
+            return Err(self.refused(opt::RUNS, why));
         }
         let is_of_work = self.value(opt::CRITERION) == Criterion::Prediction;
         match [opt::FLAT_TASK.name, opt::TOOL_MM.name].into_iter().find(|name| !is_of_work && self.is_given(name)) {

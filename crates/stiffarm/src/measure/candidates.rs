@@ -6,6 +6,7 @@ use nalgebra::Matrix6;
 
 use super::{MeasureError, Options, information, stands_free};
 use crate::compliance::{PostureError, beyond_limits};
+use crate::interval::Interval;
 use crate::parallel;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Wrench;
@@ -35,15 +36,14 @@ pub(super) fn postures(
     let Arm::SixAxis { limits, .. } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()).into());
     };
-    // Whole turns of the joints 4 and 6 show nothing new.
-    let ends = limits.joints.map(|range| [range.min().max(-PI), range.max().min(PI)]);
+    let ends = limits.joints.map(one_turn);
     let posture = |n: usize| {
         let at = halton(n);
         // To a hundredth of a degree, so that what is reported is what is meant.
         let rounded = |angle: f64| ((angle.to_degrees() * 100.0).round() / 100.0).to_radians();
         std::array::from_fn(|i| rounded(ends[i][0] + at[i] * (ends[i][1] - ends[i][0])))
     };
-    let mut postures = Vec::with_capacity(wanted);
+    let (mut postures, mut looked_at) = (Vec::with_capacity(wanted), 0);
     for start in (0..MOST_REFUSED * wanted).step_by(wanted.max(1)) {
         let kept = parallel::try_each_of(wanted, |n| {
             parts.go_on()?;
@@ -53,13 +53,23 @@ pub(super) fn postures(
             )
         })?;
         postures.extend(kept.into_iter().flatten());
+        looked_at += wanted;
         parts.one_more()?;
         if wanted <= postures.len() {
             break;
         }
     }
     postures.truncate(wanted);
-    if postures.is_empty() { Err(MeasureError::NoCandidate) } else { Ok(postures) }
+    if postures.is_empty() { Err(MeasureError::NoCandidate { looked_at }) } else { Ok(postures) }
+}
+
+/// The turn of a joint that lies nearest to zero: whole turns show nothing new.
+fn one_turn(range: Interval) -> [f64; 2] {
+    if range.width() <= 2.0 * PI {
+        return [range.min(), range.max()];
+    }
+    let middle = 0.0_f64.clamp(range.min() + PI, range.max() - PI);
+    [middle - PI, middle + PI]
 }
 
 impl Candidates {
@@ -102,10 +112,23 @@ mod tests {
 
     use super::*;
     use crate::catalogue::find;
-    use crate::interval::Interval;
     use crate::measure::{Criterion, LoadWay};
     use crate::prior::with_prior;
     use crate::watch::Watch;
+
+    /// By hand: a joint of less than a whole turn keeps all of its range, wherever that lies; of one that turns further a whole turn is left.
+    #[test]
+    fn a_range_keeps_all_that_shows_something_new() {
+        let turn = |from: f64, to: f64| {
+            let [from, to] = one_turn(Interval::spanning(from.to_radians(), to.to_radians()));
+            [from, to].map(|angle| angle.to_degrees().round())
+        };
+        assert_eq!(turn(-10.0, 255.0), [-10.0, 255.0]);
+        assert_eq!(turn(200.0, 455.0), [200.0, 455.0]);
+        assert_eq!(turn(-350.0, 350.0), [-180.0, 180.0]);
+        assert_eq!(turn(85.0, 485.0), [85.0, 445.0]);
+        assert_eq!(turn(-455.0, -55.0), [-415.0, -55.0]);
+    }
 
     /// Points along the forearm and at the flange keep from the joint-1 axis what column and forearm are thick, and from the floor what the
     /// forearm is; postures spread over the limits alone do not.

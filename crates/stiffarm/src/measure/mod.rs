@@ -176,9 +176,12 @@ pub enum MeasureError {
     Posture(#[from] PostureError),
     /// No posture is left.
     #[error(
-        "no posture within the limits has the arm clear of itself and all markers above the floor, in the window and in sight of the instrument: widen the window, move the instrument, or look at other points"
+        "none of {looked_at} postures that were looked at has the arm clear of itself and all markers above the floor, in the window and in sight of the instrument: look at more candidates, widen the window, move the instrument, or look at other points"
     )]
-    NoCandidate,
+    NoCandidate {
+        /// How many, spread evenly within the limits.
+        looked_at: usize,
+    },
     /// The work has no place.
     #[error("{0}")]
     NoPlace(String),
@@ -294,6 +297,12 @@ pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) 
 }
 
 impl Options {
+    /// How high the floor is, from the base, m: a window that goes deeper says that it is as deep.
+    fn floor(&self) -> f64 {
+        let deepest = self.window.as_ref().map(|[_, _, z]| z.min()).filter(|z| z.is_finite());
+        deepest.map_or(0.0, |z| z.min(0.0))
+    }
+
     /// How often a posture may be run, and what it then tells.
     fn repeats(&self) -> Repeats {
         Repeats { ways: self.ways.len().max(1), most: self.repeats, share: self.missed() / self.variance() }
@@ -504,10 +513,11 @@ fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, M
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Err(planar().into()) };
     let theta = geometry.model_angles(q, limits.third_axis);
     let flange = geometry.forward(&theta);
+    let floor = options.floor();
     let at_hand = |at: &Vector3<f64>| {
         let point = flange * nalgebra::Point3::from(*at);
         let inside = |window: &[Interval; 3]| (0..3).all(|axis| window[axis].contains(point[axis], 0.0));
-        0.0 <= point.z && options.window.as_ref().is_none_or(inside)
+        floor <= point.z && options.window.as_ref().is_none_or(inside)
     };
     // Where nothing is loaded, nothing has a load point.
     let loaded = (!options.ways.is_empty()).then_some(&options.load_at);
@@ -515,7 +525,8 @@ fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, M
         return Ok(false);
     }
     let thick = ThickArm::new(robot, &Pose::identity(), None).ok_or_else(planar)?;
-    let touches = thick.clearance(&[theta], &Surroundings::above(Some(0.0))).is_some_and(|found| found.distance < 0.0);
+    let touches =
+        thick.clearance(&[theta], &Surroundings::above(Some(floor))).is_some_and(|found| found.distance < 0.0);
     let sees = |instrument: &Instrument| instrument.sees(&thick, (&theta, &flange), &options.markers);
     Ok(!touches && options.instrument.as_ref().is_none_or(sees))
 }

@@ -26,7 +26,7 @@ fields! {
     NARROW: "narrow", Kind::Objects, "Joints that moved over less than a third of their range, with that share.";
     NARROW_NUMBER: "joint", Kind::Count, "Which joint, from 1.";
     NARROW_SHARE: "share", Kind::Number(Unit::One), "Over which part of its range it moved.";
-    EXPECTED_AT_WORK: "expected_mm", Kind::Number(Unit::Millimetre), "Root mean square of the error that remains at the work, where it is found by the tracker.";
+    EXPECTED_AT_WORK: "expected_mm", Kind::Number(Unit::Millimetre), "Root mean square of the error that remains at the work, where it is found by the tracker; in a plan that of its first point.";
     LEAST_AT_WORK: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No choice of as many of the candidates leaves less.";
     RANDOM_AT_WORK: "random_mm", Kind::Number(Unit::Millimetre), "What the median random choice leaves.";
     AS_DRAWN: "as_drawn_mm", Kind::Number(Unit::Millimetre), "Without a calibration.";

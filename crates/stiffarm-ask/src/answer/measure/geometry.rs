@@ -121,7 +121,7 @@ impl GeometryAnswer {
                     digits(options.posture_sigma * 1e3, 6)
                 ),
             ),
-            line(LEFT, format!("{} expected (rms of point 1)", mm(plan.expected))),
+            line(LEFT, format!("{} expected (rms of point 1{})", mm(plan.expected), self.beside_the_tip())),
             line(
                 "lower bound of any choice",
                 format!("{} (efficiency {} at least)", mm(plan.lower_bound), percent(plan.efficiency())),
@@ -135,6 +135,19 @@ impl GeometryAnswer {
         lines.push(line("mm by number of postures", by_count.collect::<Vec<_>>().join(", ")));
         let means = format!("error at the work that {} measured postures leave", plan.postures.len());
         Table::of_lines(lines).led_by([LEFT, "points are seen"], means, &[])
+    }
+
+    /// That the tip of the tool is not the point of which is said what remains.
+    fn beside_the_tip(&self) -> String {
+        let first = self.options.markers.first().copied().unwrap_or_default();
+        let apart = (self.options.tool - first).norm();
+        if self.options.work.is_empty() || apart < 1e-3 {
+            return String::new();
+        }
+        format!(
+            "; the tool tip, {} mm from it, errs otherwise: name it as the first --marker-mm",
+            fixed(apart * 1e3, 0)
+        )
     }
 
     /// One row a posture.

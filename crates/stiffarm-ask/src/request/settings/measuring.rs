@@ -209,7 +209,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "m",
         value: "RANGES",
         absent: Absent::Means("above the floor"),
-        help: "Where load point and markers must be: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open",
+        help: "Where load point and markers must be: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open; one below the base says that the floor is as deep",
         example: "0.5..3,-1..1,0.3..2",
         ..ROW
     }),
