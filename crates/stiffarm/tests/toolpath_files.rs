@@ -384,6 +384,40 @@ fn letters_that_move_nothing_are_reported() {
 }
 
 #[test]
+fn a_tool_that_has_cut_before_the_first_change_is_told_and_a_number_of_none_refused() {
+    let cut = "G21 G90\nT2\nG0 X0 Y0 Z20\nG1 Z-3 F1000\nM6\nG1 X10\nM30\n";
+    let assumed = gcode(cut).unwrap().understood.assumed.concat();
+    assert!(
+        assumed.contains("T2 alone is taken for a change of tools, as the first M6 comes after it has cut (line 5)"),
+        "{assumed}"
+    );
+    for clean in
+        [cut.replace("T2\n", "T2 M6\n"), cut.replace("M6\n", ""), cut.replace("G1 Z-3 F1000\nM6", "M6\nG1 Z-3 F1000")]
+    {
+        let assumed = gcode(&clean).unwrap().understood.assumed.concat();
+        assert!(!assumed.contains("change of tools"), "{clean}: {assumed}");
+    }
+    for (word, shown) in [("T1.5", "T1.5"), ("T-1", "T-1")] {
+        let refused = gcode(&cut.replace("T2", word)).err().unwrap();
+        assert!(refused.contains(shown) && refused.contains("expected a whole number of a tool"), "{refused}");
+    }
+    let polar = gcode("G21 G90\nG0 X0 Y0 Z0\nG12.1\nG1 X1 F100\n").err().unwrap();
+    assert!(polar.contains("polar interpolation is not modelled"), "{polar}");
+}
+
+#[test]
+fn places_after_tip_control_are_told_where_the_tool_is_still_tilted() {
+    let head = ReadOptions { rotary: Some(Rotary::HeadAc), ..asked() };
+    let text = |ends: &str| {
+        format!(
+            "G90 G94 G17 G21\nG43.4 H1\nG0 X0. Y0. Z50. A{ends} C90.\nG1 X10. Y0. Z0. F1000.\nG49\nG1 X20. Y0. Z0.\nM30\n"
+        )
+    };
+    let assumed = |ends: &str| parse(&text(ends), Format::GCode, &head).unwrap().understood.assumed.concat();
+    assert!(assumed("-30.").contains("X Y Z are the tip in the part, as under G43.4 (line 5)"), "{}", assumed("-30."));
+}
+
+#[test]
 fn apt_is_read_by_who_wrote_it_and_refused_where_nobody_knows() {
     let apt = |text: &str, options: &ReadOptions| parse(text, Format::Apt, options);
     let quarter = "GOTO/0,0,0\nFEDRAT/600,MMPM\nGOTO/10,0,0\nCIRCLE/10,10,0,0,0,1\nGOTO/20,10,0\nFINI\n";

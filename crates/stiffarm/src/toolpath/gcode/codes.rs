@@ -127,7 +127,8 @@ fn refusal(code: u16) -> &'static str {
     match code {
         52 | 53 | 61 | 62 => "splines are not modelled; let the CAM write lines and arcs",
         70 => "diameters are of lathes; expected the program of a mill",
-        120 | 130 | 121 | 1500 => "pocket cycles differ between makers; let the CAM write the moves",
+        121 => "polar interpolation is not modelled; let the CAM write X Y",
+        120 | 130 | 1500 => "pocket cycles differ between makers; let the CAM write the moves",
         160 => "polar coordinates are not modelled; let the CAM write X Y",
         290 => "where the way back from home leads is not in the file",
         330 | 331 => "threading moves with the spindle; it is no path of a robot",

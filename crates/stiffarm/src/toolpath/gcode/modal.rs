@@ -63,13 +63,27 @@ const CHANGE: u16 = 60;
 
 impl Reader<'_> {
     /// `M6` puts the tool of the last T into the spindle; of a file without it T does.
-    fn take_tool(&mut self, block: &Block) {
-        self.selected = block.get(b'T').map(|number| number as u32).or(self.selected);
-        self.changes_by_code |= block.m.all().contains(&CHANGE);
-        let is_changed = if self.changes_by_code { block.m.all().contains(&CHANGE) } else { block.has(b'T') };
+    fn take_tool(&mut self, block: &Block, line: usize) -> Result<(), Wrong> {
+        if let Some(number) = block.get(b'T') {
+            if !(0.0..=f64::from(u32::MAX)).contains(&number) || number.fract() != 0.0 {
+                return Err(Wrong::new(format!("T{number}"), "expected a whole number of a tool"));
+            }
+            self.selected = Some(number as u32);
+        }
+        let has_change = block.m.all().contains(&CHANGE);
+        if let (Some(tool), true, false) = (self.machine.tool, has_change, self.changes_by_code)
+            && self.machine.has_cut
+        {
+            let what = format!("T{tool} alone is taken for a change of tools, as the first M6 comes after it has cut");
+            self.machine.notes.assume(line, &what);
+        }
+        self.changes_by_code |= has_change;
+        let is_changed = if self.changes_by_code { has_change } else { block.has(b'T') };
         if is_changed {
             self.machine.tool = self.selected;
+            self.machine.has_cut = false;
         }
+        Ok(())
     }
 
     /// The codes of a block, in the order of RS-274: what they leave in force first.
@@ -104,7 +118,7 @@ impl Reader<'_> {
             }
         }
         self.take_cancel(cancels, motion)?;
-        self.take_tool(block);
+        self.take_tool(block, line)?;
         if let Some(motion) = motion {
             once.has_motion = true;
             self.begin(motion, line)?;
@@ -165,6 +179,9 @@ impl Reader<'_> {
             Meaning::Vectors(is_on) => {
                 self.has_vectors = is_on;
                 self.has_tip_control = is_on;
+                if !is_on {
+                    self.assume_tip(line);
+                }
                 is_modelled = is_on;
             }
             Meaning::TipControl => self.has_tip_control = true,
@@ -349,11 +366,18 @@ impl Reader<'_> {
         }
         if has_turned {
             self.axis = self.turned_axis();
-            if !self.has_tip_control && self.angles.iter().any(|angle| *angle != 0.0) {
-                self.machine.notes.assume(line, "X Y Z are the tip in the part, as under G43.4");
+            if !self.has_tip_control {
+                self.assume_tip(line);
             }
         }
         Ok(())
+    }
+
+    /// Places without tip control, where the tool is tilted.
+    fn assume_tip(&mut self, line: usize) {
+        if self.angles.iter().any(|angle| *angle != 0.0) {
+            self.machine.notes.assume(line, "X Y Z are the tip in the part, as under G43.4");
+        }
     }
 
     /// The tool axis of the angles A, B and C.
