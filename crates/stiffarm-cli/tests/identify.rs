@@ -151,6 +151,7 @@ fn what_is_wrong_is_named_with_its_place_and_nothing_is_written() {
     assert!(!robot.exists());
     let refused = program(&["identify", &path]).failure().code(2);
     assert!(String::from_utf8_lossy(&refused.get_output().stderr).contains("--robot <ROBOT> is missing"));
-    let refused = program(&["identify", "x.csv", "--robot", "BT200L", "--marker-mm", "1,2,3;4,5,6"]).failure().code(2);
+    let refused =
+        program(&["identify", "x.csv", "--robot", "BT200L", "--marker-mm", "10,20,30;40,50,60"]).failure().code(2);
     assert!(String::from_utf8_lossy(&refused.get_output().stderr).contains("expected each with a name"));
 }

@@ -4,6 +4,7 @@ use super::numbers::{digits, fixed};
 use super::{Record, field, uncertainty};
 use stiffarm::catalogue::microradians;
 use stiffarm::drive::{JointCompliance, Knowledge, Scatter};
+use stiffarm::prior::most_unlike;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 
 /// The name of the line that tells it.
@@ -44,8 +45,25 @@ pub fn stiffness(robot: &Robot) -> String {
         }
         StiffnessSource::Given => format!("given: {values} urad/(N m) on {drives}"),
     };
+    let text = format!("{text}{}", doubt(robot).unwrap_or_default());
     let compensated = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
     if compensated { format!("{text}; drive 2 with its gravity compensator") } else { text }
+}
+
+/// That a stiffness which somebody has written is that of no robot as large, where it is so.
+fn doubt(robot: &Robot) -> Option<String> {
+    /// Measured drives of robots of one size lie within a factor of ten of each other.
+    const UNLIKE: f64 = 100.0;
+    let is_written = matches!(
+        robot.stiffness_source(),
+        StiffnessSource::Given | StiffnessSource::File | StiffnessSource::Identified
+    );
+    let (drive, ratio) = most_unlike(robot).filter(|_| is_written)?;
+    let (times, how) = if ratio < 1.0 { (1.0 / ratio, "stiff") } else { (ratio, "compliant") };
+    (UNLIKE < times).then(|| {
+        let (drive, times) = (drive + 1, digits(times, 2));
+        format!("; DOUBTFUL: drive {drive} is {times} times as {how} as drives of robots of this payload and reach; is that the unit?")
+    })
 }
 
 /// Which drives of a robot, from 1, no publication shows, where some show others.
@@ -197,6 +215,14 @@ mod tests {
         assert_eq!(stiffness(&given), "given: 0.5 urad/(N m) on every drive, 2 MN m/rad");
         let each = with_compliance(&robot, [0.5, 1.0, 2.0, 3.0, 4.0, 0.0]).unwrap();
         assert_eq!(stiffness(&each), "given: 0.5, 1, 2, 3, 4, 0 urad/(N m) on the drives 1-6");
+        // 2000 is what somebody types whose data sheet has kN m/rad.
+        let doubtful = stiffness(&with_compliance(&robot, [2000.0; 6]).unwrap());
+        assert!(
+            doubtful.contains("; DOUBTFUL: drive 2 is ") && doubtful.contains(" times as compliant as"),
+            "{doubtful}"
+        );
+        let doubtful = stiffness(&with_compliance(&robot, [0.002; 6]).unwrap());
+        assert!(doubtful.contains(" times as stiff as drives of robots of this payload"), "{doubtful}");
         let filed = Robot { stiffness_is_assumed: false, ..robot.clone() };
         assert_eq!(stiffness(&filed), "1 urad/(N m) on every drive, from the robot file");
         let planar = |more: &str| {

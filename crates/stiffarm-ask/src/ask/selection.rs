@@ -112,13 +112,13 @@ fn matching(name: &str, context: Context) -> Result<Vec<Found>, AskError> {
     if found.is_empty() { Err(AskError::NoRobot(name.into())) } else { Ok(found) }
 }
 
-/// Reads and checks one robot file; a URDF is imported as it stands, and what was chosen in that is said.
+/// Reads and checks one robot file; a URDF is imported as it stands, and what was chosen in that is said, as is what deserves a second look.
 ///
 /// # Errors
 /// Where it is not read, or has faults.
 pub fn read_file(path: &Path, context: Context) -> Result<Robot, AskError> {
     let Loaded { robot, notes } = context.sources.robot(path)?;
-    for note in &notes {
+    for note in notes.iter().chain(&catalogue::doubts(&robot)) {
         context.listener.remark(&format!("note: {}: {note}", shown(path)));
     }
     Ok(robot)

@@ -113,13 +113,18 @@ const SHORTEST_TOOL: f64 = 5.0;
 
 /// Lengths of a tool, mm, that are not metres.
 fn checked_tool(lengths: &[f64]) -> Result<(), String> {
+    in_millimetres(lengths, "is no tool")
+}
+
+/// Lengths, mm, that are not metres; so few millimetres would be something else.
+fn in_millimetres(lengths: &[f64], something_else: &str) -> Result<(), String> {
     let longest = lengths.iter().fold(0.0, |longest: f64, length| longest.max(length.abs()));
     if longest == 0.0 || SHORTEST_TOOL <= longest {
         return Ok(());
     }
     let meant = (longest * 1e9).round() / 1e6;
     Err(format!(
-        "expected lengths in mm, and at least one of {SHORTEST_TOOL} mm ({longest} mm is no tool; {longest} m would be {meant})"
+        "expected lengths in mm, and at least one of {SHORTEST_TOOL} mm ({longest} mm {something_else}; {longest} m would be {meant})"
     ))
 }
 
@@ -159,6 +164,7 @@ pub fn point(text: &str) -> Result<[f64; 3], String> {
     let expected = || "expected x,y,z in mm from the flange centre, each from -10000 to 10000".to_owned();
     let numbers = text.split(',').map(|part| number(part, -10_000.0, 10_000.0, "").map_err(|_| expected()));
     let mm: [f64; 3] = numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?;
+    in_millimetres(&mm, "is the flange centre, 0,0,0")?;
     Ok(mm.map(|mm| mm / 1e3))
 }
 
@@ -359,11 +365,19 @@ pub fn open_range(text: &str) -> Result<Interval, String> {
 pub fn within(text: &str) -> Result<Within, String> {
     // One range alone is that of x.
     let (x, z) = text.split_once(',').unwrap_or((text, ".."));
-    Ok(Within { x: open_range(x)?, z: open_range(z)? })
+    let side = |text: &str| near(text, open_range(text)?, "m");
+    Ok(Within { x: side(x)?, z: side(z)? })
 }
 
 /// No cell reaches farther, m: beyond it the unit is another one.
 const FARTHEST: f64 = 100.0;
+
+/// A range whose ends are in the unit in which it is asked.
+fn near(text: &str, range: Interval, of: &str) -> Result<Interval, String> {
+    let farthest = if of == "mm" { FARTHEST * 1e3 } else { FARTHEST };
+    let is_near = [range.min(), range.max()].iter().all(|end| !end.is_finite() || end.abs() <= farthest);
+    if is_near { Ok(range) } else { Err(format!("'{text}' lies beyond {farthest} {of}; the ranges are in {of}")) }
+}
 
 /// `x0..x1,y0..y1,z0..z1` in m, or in mm.
 ///
@@ -379,9 +393,7 @@ pub fn block(text: &str, of: &str, is_bounded: bool) -> Result<Block, String> {
         if is_bounded && !range.is_bounded() {
             return Err(expected());
         }
-        let farthest = if of == "mm" { FARTHEST * 1e3 } else { FARTHEST };
-        let is_near = [range.min(), range.max()].iter().all(|end| !end.is_finite() || end.abs() <= farthest);
-        if is_near { Ok(range) } else { Err(format!("'{text}' lies beyond {farthest} {of}; the ranges are in {of}")) }
+        near(text, range, of)
     };
     Ok(Block { x: side(x)?, y: side(y)?, z: side(z)? })
 }
@@ -494,6 +506,7 @@ mod tests {
         assert!(block("1..2,0..1", "m", false).is_err());
         let refusal = |text: &str, of: &str, is_bounded| block(text, of, is_bounded).unwrap_err();
         assert_eq!(refusal("500..900,0..1,0..1", "m", false), "'500..900' lies beyond 100 m; the ranges are in m");
+        assert_eq!(within("1200..,0.4..1.8").unwrap_err(), "'1200..' lies beyond 100 m; the ranges are in m");
         assert!(block("500..900,..1,0..1", "mm", false).is_ok() && block("..,0..1,0..1", "m", false).is_ok());
         assert!(refusal("..9,0..1,0..1", "mm", true).ends_with("in mm; both ends of all three ranges"));
         assert!(window("1..2,3..4,5..6,7..8").is_err());
@@ -524,6 +537,9 @@ mod tests {
             assert!(why.ends_with("(0.25 mm is no tool; 0.25 m would be 250)"), "{why}");
         }
         assert!(spindle("spindle:0.25@90").unwrap_err().contains("0.25 m would be 250"));
+        let why = point("0.0069,0.2453,0.3193").unwrap_err();
+        assert!(why.ends_with("(0.3193 mm is the flange centre, 0,0,0; 0.3193 m would be 319.3)"), "{why}");
+        assert!(marker("a=0.1,0,0.2").is_err() && marker("a=0,0,0").is_ok() && point("0,0.2,250").is_ok());
         assert!(tool("0,0,0").is_ok() && tool("0,0.2,250").is_ok() && tool("0,0,5").is_ok());
     }
 

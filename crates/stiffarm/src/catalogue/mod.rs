@@ -25,7 +25,7 @@ pub use process_file::{Material, ProcessFile, materials, read_process, read_proc
 pub(crate) use reader::shown;
 pub use robot_file::is_date;
 pub use robot_file::read;
-pub use warnings::warnings;
+pub use warnings::{doubts, warnings};
 pub use write::write;
 pub use write::{microradians, quoted};
 

@@ -22,7 +22,8 @@ const FEED: Quantity = Quantity { unit: "mm", min: 1e-5, max: 20.0, suspect: Non
 const MOST_DEEP: f64 = 10.0;
 const MOST_FED: f64 = 0.25;
 const CHIP: Quantity = Quantity { unit: "N/mm2", min: -1e5, max: 1e5, suspect: None };
-const SPECIFIC: Quantity = Quantity { unit: "N/mm2", min: 1.0, max: 1e5, suspect: None };
+/// Of what is cut: plastics begin at some ten, steel is at two thousand. (What yields like foam is told by its force.)
+const SPECIFIC: Quantity = Quantity { unit: "N/mm2", min: 0.0, max: 1e5, suspect: Some((5.0, 1e3, "kN/mm2")) };
 const RUBBING: Quantity = Quantity { unit: "N/mm", min: -1e4, max: 1e4, suspect: None };
 const RATIO: Quantity = Quantity { unit: "(ratio)", min: -10.0, max: 10.0, suspect: None };
 /// Measured ones lie from 0.1 to 0.4; far above that the thinnest chips decide.
@@ -223,7 +224,7 @@ fn preset(table: &mut Table) -> Option<Material> {
 
 fn linear(table: &mut Table) -> Option<Edge> {
     // A chip that is cut resists: along the edge and across it a fit may be of either sign.
-    let tangential = table.number("ktc_n_per_mm2", Quantity { min: 0.0, ..CHIP });
+    let tangential = table.number("ktc_n_per_mm2", SPECIFIC);
     let [radial, axial] = ["krc_n_per_mm2", "kac_n_per_mm2"].map(|key| table.number(key, CHIP));
     let chip = [tangential, radial, axial];
     let rubbing = ["kte_n_per_mm", "kre_n_per_mm", "kae_n_per_mm"].map(|key| table.number(key, RUBBING));
@@ -236,7 +237,8 @@ fn linear(table: &mut Table) -> Option<Edge> {
 }
 
 fn kienzle(table: &mut Table) -> Option<Edge> {
-    let (specific, exponent) = (table.number("kc11_n_per_mm2", SPECIFIC), table.number("mc", EXPONENT));
+    let (specific, exponent) =
+        (table.number("kc11_n_per_mm2", Quantity { min: 1.0, ..SPECIFIC }), table.number("mc", EXPONENT));
     let ratios = [table.number("radial_ratio", RATIO), table.number("axial_ratio", RATIO)];
     match (specific, exponent, ratios) {
         (Some(specific), Some(exponent), [Some(radial), Some(axial)]) => {

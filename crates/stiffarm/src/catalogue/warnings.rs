@@ -11,13 +11,40 @@ const SHORT: f64 = 5e-3;
 /// Joints of industrial arms turn this fast, deg/s; in rad/s, or taken for rad/s, they lie outside.
 const SPEEDS: [f64; 2] = [10.0, 2000.0];
 
+/// Joints of arms turn by more than this, deg; in radians the widest range is less.
+const TURN: f64 = 15.0;
+
+/// A payload, kg, of less than this is no arm's that reaches farther than that, m.
+const PAYLOAD: (f64, f64) = (1.0, 1.2);
+
 /// Remarks on a robot that can be used, each a sentence that names its key.
 pub fn warnings(robot: &Robot) -> Vec<String> {
+    let missing = robot.payload_kg.is_none();
+    let missing = missing.then(|| "payload_kg is missing: no choice by payload will find this robot".to_owned());
+    missing.into_iter().chain(doubts(robot)).collect()
+}
+
+/// What of these a number may mean that is wrong: it is said beside every answer that rests on the file.
+pub fn doubts(robot: &Robot) -> Vec<String> {
     let mut warnings = Vec::new();
-    if robot.payload_kg.is_none() {
-        warnings.push("payload_kg is missing: no choice by payload will find this robot".into());
+    if let (Some(payload), Some(mass)) = (robot.payload_kg, robot.mass_kg)
+        && mass < payload
+    {
+        warnings.push(format!(
+            "mass_kg is {mass} kg beside payload_kg {payload} kg: does an arm carry more than it weighs?"
+        ));
+    }
+    let (least, far) = PAYLOAD;
+    if let Some(payload) = robot.payload_kg.filter(|payload| *payload < least && far < robot.stretch()) {
+        let stretch = robot.stretch();
+        warnings.push(format!("payload_kg is {payload} kg at {stretch:.2} m of arm: is that the unit?"));
     }
     if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
+        let turns = limits.joints.iter().map(|range| range.width().to_degrees());
+        if let Some((i, turn)) = turns.enumerate().find(|(_, turn)| *turn < TURN) {
+            let tidy = (turn * 1e3).round() / 1e3;
+            warnings.push(format!("joint_deg of joint {} is {tidy} deg wide: is that the unit?", i + 1));
+        }
         let speeds = limits.speeds.iter().flatten().map(|speed| speed.to_degrees());
         if let Some((i, speed)) = speeds.enumerate().find(|(_, speed)| *speed < SPEEDS[0] || SPEEDS[1] < *speed) {
             let tidy = (speed * 1e3).round() / 1e3;
@@ -77,6 +104,14 @@ mod tests {
         limits.speeds = Some([2.0_f64, 1.9, 2.1, 3.1, 3.0, 3.8].map(f64::to_radians));
         let slow = warnings(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });
         assert_eq!(slow, ["speed_deg_per_s of joint 1 is 2: is that the unit? joints turn by 10 to 2000 deg/s"]);
+        let light = doubts(&Robot { payload_kg: Some(0.21), mass_kg: Some(1.1), ..kuka.clone() });
+        assert_eq!(light, ["payload_kg is 0.21 kg at 2.70 m of arm: is that the unit?"]);
+        let heavy = doubts(&Robot { mass_kg: Some(1.1), ..kuka.clone() });
+        assert!(heavy[0].starts_with("mass_kg is 1.1 kg beside payload_kg 210 kg"), "{heavy:?}");
+        let Arm::SixAxis { geometry, mut limits, drives } = kuka.arm.clone() else { unreachable!("six axes") };
+        limits.joints[3] = crate::interval::Interval::spanning(-6.1_f64.to_radians(), 6.1_f64.to_radians());
+        let narrow = doubts(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });
+        assert_eq!(narrow, ["joint_deg of joint 4 is 12.2 deg wide: is that the unit?"]);
         let silent = Robot { reach: None, payload_kg: None, ..kuka.clone() };
         assert!(warnings(&silent).len() == 1 && warnings(&silent)[0].starts_with("payload_kg is missing"));
     }

@@ -270,7 +270,7 @@ pub(super) const ROWS: &[Setting] = &[
         ..MARGIN
     }),
     opt::CLEAR_OF_BASE_M.row(Setting {
-        kind: number_of(0.0, 100.0, "m"),
+        kind: number_of(0.0, 20.0, "m"),
         unit: "m",
         value: "M",
         absent: Absent::Means("the robot's own column, estimated as a1 + 0.15 (c2 + l3)"),
