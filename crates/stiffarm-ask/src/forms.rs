@@ -438,8 +438,9 @@ impl Forms {
         };
         let longest =
             |row: &FormRow| row.endings.iter().filter(|ending| is_said(ending)).map(|ending| ending.len()).max();
-        // What people read is a file of that name from nowhere but a server, and a view that there is not is no report.
-        let is_meant = |row: &&FormRow| row.form != Form::Tables && (row.form == Form::View || self.has(row.form));
+        // What people read is a file of that name from nowhere but a server, and a view or a report that there is not is no other one.
+        let is_own = |form: Form| matches!(form, Form::View | Form::PrintedReport) || self.has(form);
+        let is_meant = |row: &&FormRow| row.form != Form::Tables && is_own(row.form);
         let said = FORMS.iter().filter(is_meant).filter_map(|row| Some((longest(row)?, row.form)));
         let (_, form) = said.max_by_key(|(length, _)| *length)?;
         self.has(form).then_some(form)
@@ -513,6 +514,8 @@ mod tests {
         );
         assert_eq!((Form::of_word("html"), Form::of_word(".svg")), (None, None));
         assert_eq!((form(view, "a.html"), form(view, "report.pdf")), (Some(Form::View), None));
+        let figure = Forms { command: "figure", makes: &[Makes::Picture(Picture::Figure)] };
+        assert_eq!((form(figure, "a.pdf"), form(figure, "a.report.pdf")), (Some(Form::Pdf(Picture::Figure)), None));
     }
 
     #[test]

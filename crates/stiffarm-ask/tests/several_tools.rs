@@ -101,6 +101,47 @@ fn each_tool_of_a_path_mills_under_its_own_process_with_its_own_length() {
     }
 }
 
+/// What is said of a tool bears its number, what is said of all stands once, and the first word is that of all together.
+#[test]
+fn what_is_said_of_one_tool_is_not_said_of_the_path() {
+    let wide = "G0 X-300 Y-300 Z5\nG1 Z0 F500\nG1 X300\nY300\nG0 Z5\n";
+    let file = format!("{HEAD}T1 M6\n{ONE}T2 M6\n{wide}M2\n");
+    let answer = by_tool(&file, &[&BY_TOOL[..], &[("tolerance-mm", "5")]].concat()).expect("an answer");
+    let notes = answer.notes();
+    let errs = |tool: &str| {
+        let line = notes.lines().find(|line| line.starts_with(&format!("{tool}: Along this path the geometry")));
+        line.unwrap_or_else(|| panic!("{tool}: {notes}")).to_owned()
+    };
+    assert_ne!(errs("T1")[4..], errs("T2")[4..]);
+    assert_eq!(notes.matches("all six drives compliant").count(), 1, "{notes}");
+    let headline = answer.headline();
+    let verdict = answer.verdict().expect("a tolerance").in_words();
+    assert!(
+        headline.sentences[0].starts_with("The tools of KUKA KR 210 R2700 extra are pushed off by "),
+        "{headline:?}"
+    );
+    assert!(headline.sentences[0].ends_with(&format!("tolerance 5 mm, all tools: {verdict}.")), "{headline:?}");
+    assert!(headline.sentences.iter().any(|says| says.starts_with("T2: ")), "{headline:?}");
+    // More than it may carry, whatever a tool cuts.
+    let heavy = [&BY_TOOL[..], &[("tolerance-mm", "5"), ("tool-mass-kg", "250")]].concat();
+    let heavy = by_tool(&file, &heavy).expect("an answer");
+    assert_eq!(heavy.json()["verdict"], "load exceeded");
+    assert_eq!(heavy.headline().outcome.word(), "load exceeded");
+}
+
+/// Where one tool of several is judged, every sentence says so.
+#[test]
+fn what_one_tool_alone_mills_is_said_of_it_alone() {
+    let file = format!("{HEAD}T1 M6\n{ONE}T2 M6\n{OTHER}M2\n");
+    let options = [("at", "1.6,0,0.8"), ("force-n", "300,-20,50"), ("only-tool", "1"), ("tolerance-mm", "5")];
+    let asked = request("two.nc", &options).expect("a question");
+    let moves = moves_of(&file, Format::GCode);
+    let answer = MillAnswer::of(&asked, &robot(), ("two.nc".into(), moves), None, Watch::nobody()).expect("alone");
+    let says = &answer.headline().sentences[0];
+    assert!(says.contains("along two.nc (tool 1 alone)"), "{says}");
+    assert_eq!((&answer.json()["path"], &answer.json()["only_tool"]), (&"two.nc".into(), &1.into()));
+}
+
 /// The path's own file holds of each tool what the file of its cuts alone holds, and nothing else is changed.
 #[test]
 fn the_file_of_a_path_is_written_back_with_the_cuts_of_all_tools_led_aside() {

@@ -46,6 +46,18 @@ fn a_tool_without_a_mass_and_what_is_assumed_are_reported() {
     assert!(ok && out.contains("tool: weighs nothing") && out.contains("damping: assumed 0.03"), "{out}");
 }
 
+/// 500 kg at a robot for 210.
+#[test]
+fn a_tool_that_may_not_be_carried_is_told_with_the_frequencies_and_what_does_not_swing_is_named() {
+    let asked = ["modes", "KR 210 R2700-2", "--joints-deg=0,-90,90,0,45,0", "--tool-com-mm", "0,0,200"];
+    let (_, heavy, _) = output(&[&asked, &["--tool-mass-kg", "500"]]);
+    assert!(heavy.contains("may not carry this: payload 210 kg: EXCEEDED; tool of 500 kg"), "{heavy}");
+    let (_, light, _) = output(&[&asked, &["--tool-mass-kg", "50"]]);
+    assert!(!light.contains("EXCEEDED") && !light.contains("nothing swings"), "{light}");
+    let (_, calm, _) = output(&[&asked, &["--tool-mass-kg", "50", "--damping-ratio", "1", "--count", "2"]]);
+    assert!(calm.contains("nothing swings (mode 1, 2)"), "{calm}");
+}
+
 #[test]
 fn robots_without_masses_and_tools_that_cannot_be_are_refused_with_what_to_do() {
     let refused = |arguments: &[&[&str]], words: &str| {

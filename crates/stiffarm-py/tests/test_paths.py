@@ -72,7 +72,7 @@ def test_every_tool_of_a_path_has_its_process_and_its_length(program, tmp_path: 
     typed = ["--tool", "spindle:250@90", "--at", "1.7,0,0.8", "--step-mm", "20", "--process", f"T1={PROCESS},T2={PROCESS}", "--tool-lengths-mm", "T1=82.5,T2=140"]
     assert milled.to_dict() == program("mill", str(file), "--robot", "KR 210 R2700 extra", *typed)
     assert milled.by_tool is not None and [one["tool_number"] for one in milled.by_tool] == [1, 2] and milled.worst_tool in (1, 2)
-    as_texts = {"process": [f"T1={PROCESS}", f"T2={PROCESS}"], "tool_lengths_mm": ["T1=82.5", "T2=140"]}
+    as_texts = {"process": [f"T1={PROCESS}", f"T2={PROCESS}"], "tool_lengths_mm": {"T1": 82.5, "T2": 140}}
     assert stiffarm.mill(file, "KR 210 R2700 extra", **as_texts, **options) == milled
     one = stiffarm.mill(file, "KR 210 R2700 extra", process=PROCESS, only_tool=2, **options)
     assert one.worst_mm is not None and one.by_tool is None

@@ -324,8 +324,11 @@ impl ChatterAnswer {
     /// What it rests on, and what is not known.
     pub(super) fn basis(&self) -> Vec<String> {
         let Self { chatter, .. } = self;
-        let mut notes =
-            if self.robot_is_measured() { Vec::new() } else { vec![tool_note(&self.tool, "changes the depths")] };
+        let mut notes = if self.robot_is_measured() {
+            Vec::new()
+        } else {
+            vec![tool_note(&self.robot, &self.tool, "changes the depths")]
+        };
         notes.push(match self.drawn()[..] {
             [] if self.robot_is_measured() => "intervals: none; the tip is taken as it was measured".into(),
             [] => "intervals: none; stiffness and damping are taken as given".into(),

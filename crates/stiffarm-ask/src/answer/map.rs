@@ -233,7 +233,7 @@ impl MapAnswer {
 
     /// With what the arm swings, where that is mapped.
     pub(crate) fn swings_with(&self) -> Option<String> {
-        self.frequency.as_ref().map(|(_, tool)| tool_note(tool, "lowers the frequencies"))
+        self.frequency.as_ref().map(|(_, tool)| tool_note(self.model.robot(), tool, "lowers the frequencies"))
     }
 
     /// How slow and how fast the arm swings first, and with what it holds.

@@ -2,11 +2,12 @@
 
 use serde_json::{Value, json};
 use stiffarm::limits::Pendant;
-use stiffarm::mass::RigidBody;
+use stiffarm::mass::{RigidBody, ToolWeight};
 use stiffarm::modes::{DAMPING_RATIO, Damping, HeldTool, Mode, Swing, left_out};
 use stiffarm::robot::{Arm, Robot};
 
 use super::compliance::vector;
+use super::payload::FlangeLoad;
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
 use super::{Datum, Record, Rows, Table, field, shape, with_schema};
@@ -121,7 +122,7 @@ impl ModesAnswer {
             format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
             format!("stiffness: {}", stiffness(robot)),
             format!("tool point from the base: {} m", vector(&swing.tool.translation.vector, 4)),
-            tool_note(tool, "lowers the frequencies"),
+            tool_note(robot, tool, "lowers the frequencies"),
             match self.damping_source() {
                 "assumed" => {
                     format!("damping: assumed {DAMPING_RATIO} of every mode; measured on such arms 0.02 to 0.08")
@@ -132,6 +133,14 @@ impl ModesAnswer {
                 .into(),
         ];
         notes.extend(left_out_note(robot));
+        let calm = self.modes().iter().enumerate().filter(|(_, mode)| 1.0 <= mode.damping_ratio);
+        let calm: Vec<String> = calm.map(|(rank, _)| (rank + 1).to_string()).collect();
+        if !calm.is_empty() {
+            let modes = calm.join(", ");
+            notes.push(format!(
+                "with a damping of 1 or more nothing swings (mode {modes}): the frequency is the undamped one"
+            ));
+        }
         if swing.modes.iter().all(|mode| mode.spread.is_none()) {
             notes.push("the drive stiffness has no stated uncertainty, so the frequencies have no interval".into());
         }
@@ -141,11 +150,14 @@ impl ModesAnswer {
 }
 
 /// What the tool weighs; of one that weighs nothing what a real one does.
-pub(super) fn tool_note(tool: &HeldTool, does: &str) -> String {
-    tool.body.map_or_else(
-        || format!("tool: weighs nothing; a real one {does} (--tool-mass-kg, --tool-com-mm)"),
-        |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
-    )
+pub(super) fn tool_note(robot: &Robot, tool: &HeldTool, does: &str) -> String {
+    let Some(body) = tool.body else {
+        return format!("tool: weighs nothing; a real one {does} (--tool-mass-kg, --tool-com-mm)");
+    };
+    let weight = ToolWeight { mass: body.mass, centre: Some(body.centre) };
+    let carried = FlangeLoad { tool: Some(weight), tip: None, newtons: 0.0 }.by(robot);
+    let forbidden = carried.forbidden(robot).map_or_else(String::new, |sentence| format!("; {sentence}"));
+    format!("tool: {} kg, centre {} mm from the flange{forbidden}", body.mass, vector(&(body.centre * 1e3), 0))
 }
 
 /// Which moving parts are left out, where there are some.

@@ -137,8 +137,14 @@ impl ModesOverAnswer {
             || "the drive stiffness has no stated uncertainty".into(),
             |p05| format!("5th percentile over draws of the drive stiffness: {} Hz", fixed(p05, 2)),
         );
+        let missing = left_out(&self.robot);
+        let of = if missing.is_empty() {
+            String::new()
+        } else {
+            format!(" of an arm without {}, which may swing slower", missing.join(" and "))
+        };
         format!(
-            "first frequency: proved to be at least {} Hz in all of the zone ({} parts) at the nominal stiffness; {drawn}",
+            "first frequency: proved to be at least {} Hz in all of the zone ({} parts) at the nominal stiffness{of}; {drawn}",
             fixed(first, 2),
             self.over.parts
         )
@@ -179,7 +185,7 @@ impl ModesOverAnswer {
                 }
             )
         }));
-        notes.push(tool_note(tool, "lowers the frequencies"));
+        notes.push(tool_note(robot, tool, "lowers the frequencies"));
         notes.push(
             "motors held still by the brakes or a stiff servo; a soft servo lowers all frequencies, the proved one too"
                 .into(),

@@ -78,6 +78,7 @@ impl Payload {
         let kg = |mass: f64| format!("{} kg", fixed(mass, 0));
         let force = format!("a force as large as the weight of {}", kg(self.force));
         let carried = match self.tool {
+            Some(tool) if self.force == 0.0 => format!("tool of {tool} kg"),
             Some(tool) => format!("tool of {tool} kg, and {force}"),
             None => format!("{force}; the tool's mass is not given (--tool-mass-kg)"),
         };

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::answer::{ByToolAnswer, Rows, Table};
+use crate::answer::{ByToolAnswer, Headline, Rows, Table};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::catalogue::{ProcessFile, files};
@@ -81,6 +81,10 @@ impl Answer for ByToolOutput<'_> {
 
     fn shortfall(&self) -> Option<String> {
         self.answer.shortfall()
+    }
+
+    fn headline(&self) -> Option<Headline> {
+        Some(self.answer.headline())
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -43,7 +43,7 @@ impl MilledFigure<'_> {
         let mut canvas = Canvas::of(&self.figure_size);
         let Some(found) = self.answer.followed() else { return canvas.finish() };
         let worst = found.worst.0 * 1e3;
-        let title = format!("{} along {}", self.answer.robot.full_name(), self.answer.path);
+        let title = format!("{} along {}", self.answer.robot.full_name(), self.answer.along());
         let bound = self.answer.lower_bound().map_or(0.0, |bound| bound * 1e3);
         let proved = if 0.0 < bound {
             format!("proved no less than {} mm", fixed(bound, 3))

@@ -108,8 +108,17 @@ impl From<AskError> for Refused {
     }
 }
 
-/// Options as a question spells them: where something was sent nothing is typed.
+/// Options as a question spells them: where something was sent nothing is typed, but what is to be typed in a shell.
 fn as_sent(text: &str) -> String {
+    let spans = text.split('`').enumerate();
+    let spelt = spans.map(|(i, span)| {
+        let is_typed = i % 2 == 1 && span.starts_with("stiffarm ");
+        if is_typed { span.to_owned() } else { without_dashes(span) }
+    });
+    spelt.collect::<Vec<_>>().join("`")
+}
+
+fn without_dashes(text: &str) -> String {
     let mut sent = String::with_capacity(text.len());
     for (i, part) in text.split("--").enumerate() {
         let begins_a_name = part.starts_with(|c: char| c.is_ascii_lowercase());

@@ -115,9 +115,9 @@ def files(value: object) -> object:
 
 
 def of_tools(name: str, value: object) -> str | None:
-    """What each tool of a path has, by its number; as texts ``T1=...``, or one for all."""
+    """What each tool of a path has, by its number, 1 or "T1"; as texts ``T1=...``, or one for all."""
     if isinstance(value, Mapping):
-        value = [f"T{tool}={of}" for tool, of in value.items()]
+        value = [f"T{str(tool).removeprefix('T')}={of}" for tool, of in value.items()]
     return listed(name, value)
 
 

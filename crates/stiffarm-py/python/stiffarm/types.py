@@ -979,8 +979,8 @@ class MeasureOptions(TypedDict, total=False):
     """How often a posture is measured at most, whatever the load."""
 
     window: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
-    [default: above the floor]."""
+    """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open; one
+    below the base says that the floor is as deep [default: above the floor]."""
 
     instrument_m: npt.ArrayLike | None
     """Where the tracker or camera stands [m], from the base: only postures in which it sees all markers past the
@@ -1478,7 +1478,8 @@ class PlacedInRanking(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -1936,7 +1937,8 @@ class PathRankingRow(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -2165,7 +2167,8 @@ class Placed(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -2638,6 +2641,9 @@ class MilledDict(_Pass):
     path: str
     """The toolpath as it was asked for."""
 
+    only_tool: int | None
+    """The number of the only tool that mills; null where all of the path is milled."""
+
     force: str
     """Where the force on the tool comes from."""
 
@@ -2645,7 +2651,8 @@ class MilledDict(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -2859,6 +2866,9 @@ class MilledWithTool(_Pass):
     path: str
     """The toolpath as it was asked for."""
 
+    only_tool: int | None
+    """The number of the only tool that mills; null where all of the path is milled."""
+
     force: str
     """Where the force on the tool comes from."""
 
@@ -2866,7 +2876,8 @@ class MilledWithTool(_Pass):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
@@ -3179,7 +3190,8 @@ class MapDict(TypedDict):
     """How much more than at the best roll a point may tell, relative."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -3389,7 +3401,8 @@ class ModesDict(TypedDict):
     """The tool point."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -3505,7 +3518,8 @@ class ModesOverZoneDict(TypedDict):
     whoever asks), unknown."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -3597,7 +3611,8 @@ class ChatterDict(TypedDict):
     """The tool point."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -4086,7 +4101,8 @@ class PlannedAtWork(TypedDict):
     """The error that a calibration leaves at the work."""
 
     expected_mm: float
-    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+    """Root mean square of the error that remains at the work, where it is found by the tracker; in a plan that
+    of its first point."""
 
     lower_bound_mm: float
     """No choice of as many of the candidates leaves less."""
@@ -4111,7 +4127,8 @@ class CalibrationLeaves(TypedDict):
     """So many."""
 
     expected_mm: float
-    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+    """Root mean square of the error that remains at the work, where it is found by the tracker; in a plan that
+    of its first point."""
 
 
 class PlannedPosture(TypedDict):
@@ -4470,7 +4487,8 @@ class CalibratedAtWork(TypedDict):
     """The error that remains at the work."""
 
     expected_mm: float
-    """Root mean square of the error that remains at the work, where it is found by the tracker."""
+    """Root mean square of the error that remains at the work, where it is found by the tracker; in a plan that
+    of its first point."""
 
     ci95_mm: list[float]
     """Where that root mean square lies with 95 %."""

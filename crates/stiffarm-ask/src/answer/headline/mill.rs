@@ -1,8 +1,8 @@
 //! A path that is milled in a few sentences.
 
-use super::super::MillAnswer;
 use super::super::verdict::{HOLDS, Verdict};
 use super::super::words::fixed;
+use super::super::{ByToolAnswer, MillAnswer};
 use super::place::sentence;
 use super::{Headline, Outcome, judged, means, mm, proviso, rests_on, scattered};
 use stiffarm::mill::Followed;
@@ -19,7 +19,7 @@ impl MillAnswer {
                 } else {
                     Outcome::NotFollowed
                 };
-                (outcome, vec![format!("{name} does not follow {}: {reason}.", self.path)])
+                (outcome, vec![format!("{name} does not follow {}: {reason}.", self.along())])
             }
             Some(found) => {
                 let (judged, sentences) = self.judgement(found);
@@ -40,7 +40,7 @@ impl MillAnswer {
     }
 
     fn judgement(&self, found: &Followed) -> (Outcome, Vec<String>) {
-        let (name, path, value) = (self.robot.full_name(), &self.path, mm(found.worst.0));
+        let (name, path, value) = (self.robot.full_name(), self.along(), mm(found.worst.0));
         let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
             let mut sentences = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
             sentences.extend(self.left());
@@ -51,12 +51,15 @@ impl MillAnswer {
         } else {
             ("does not hold", -verdict.margin_mm, "more")
         };
-        let mut sentences = vec![format!(
+        // What is milled decides, and leads.
+        let milled = self.milled_verdict().unwrap_or(verdict);
+        let mut sentences: Vec<String> = self.compensated_verdict().and_then(|_| self.left()).into_iter().collect();
+        sentences.push(format!(
             "{name} {word} {tolerance} mm along {path}{}{}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
             if self.compensation.is_some() { " without compensation" } else { "" },
             proviso(verdict),
             fixed(margin, 4)
-        )];
+        ));
         if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
             let (places, helps) = if self.search.is_some() {
                 ("of all places and ", "Neither another place nor turning the tool helps")
@@ -73,10 +76,13 @@ impl MillAnswer {
             });
         }
         sentences.push(scattered(verdict, self.spread(), &self.robot));
-        sentences.extend(self.left());
-        let milled = self.milled_verdict().unwrap_or(verdict);
+        if self.compensated_verdict().is_none() {
+            sentences.extend(self.left());
+        }
         let left = (tolerance - milled.margin_mm) / 1e3;
-        let exceeded = self.geometry_exceeds(tolerance, left, self.compensation.is_some());
+        let remaining = self.compensation.as_ref().and_then(|compensation| compensation.remaining.as_ref());
+        let p95 = remaining.map(|(left, _)| left.p95).or_else(|| self.p95());
+        let exceeded = self.geometry_exceeds(tolerance, (left, p95), self.compensation.is_some());
         sentences.extend(exceeded.map(|exceeded| exceeded.sentence).filter(|_| milled.passes));
         (judged(milled), sentences)
     }
@@ -99,5 +105,37 @@ impl MillAnswer {
             mm(remaining.median),
             mm(remaining.p95)
         ))
+    }
+}
+
+impl ByToolAnswer {
+    /// The same of all tools together, and of each.
+    pub fn headline(&self) -> Headline {
+        let name = self.robot.full_name();
+        let computed = self.barred().map_or(Outcome::Computed, Outcome::from);
+        let (outcome, first) = match self.worst() {
+            None => {
+                let reason = self.reason().unwrap_or_default();
+                (Outcome::NotFollowed, format!("{name} does not follow {}: {reason}.", self.path))
+            }
+            Some((section, error)) => {
+                let (worst, tool) = (mm(error), section.tool);
+                let text =
+                    format!("The tools of {name} are pushed off by {worst} at worst along {}, by T{tool}", self.path);
+                match self.tolerance_mm.zip(self.compensated_verdict().or_else(|| self.verdict())) {
+                    None => (computed, format!("{text}.")),
+                    Some((tolerance, verdict)) => {
+                        let compensated = if self.compensated_verdict().is_some() { ", compensated" } else { "" };
+                        let words = verdict.in_words();
+                        (judged(verdict), format!("{text}; tolerance {tolerance} mm, all tools{compensated}: {words}."))
+                    }
+                }
+            }
+        };
+        let mut sentences = vec![first];
+        sentences.extend(self.of_each(|milled| milled.headline().sentences));
+        let mut rests_on = self.of_each(|milled| milled.headline().rests_on);
+        rests_on.extend(self.remarks.iter().map(|remark| sentence(remark)));
+        Headline { outcome, sentences, rests_on }
     }
 }

@@ -4,7 +4,7 @@ use super::kinds::{Kind, Unit, fields, numbers};
 
 fields! {
     PAYLOAD: "payload_kg", Kind::Number(Unit::Kilogram), "Nominal payload.";
-    TOOL_MASS: "tool_mass_kg", Kind::Number(Unit::Kilogram), "Mass of the tool, where it was given: it is held against the payload and bends nothing.";
+    TOOL_MASS: "tool_mass_kg", Kind::Number(Unit::Kilogram), "Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers frequencies.";
     OVERLOADED: "overloaded", Kind::Truth, "The tool and a mass that weighs as much as the force are more than the payload together; null where no payload is known.";
     WRIST_MOMENT: "wrist_moment_nm", numbers(Unit::Given("nm"), &["wrist_moment_4_nm", "wrist_moment_5_nm", "wrist_moment_6_nm"]),
         "Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's weight where its mass centre was given, and in the spatial model of the force at the tool tip.";

@@ -169,11 +169,11 @@ impl MillAnswer {
     }
 
     /// The geometry errs, or may err, by so much that a tolerance, mm, is not kept, although a deflection, m, of a program that is compensated or not
-    /// keeps it: that verdict is of the deflection alone.
+    /// keeps it, nominal and with 95 %: that verdict is of the deflection alone.
     pub(in crate::answer) fn geometry_exceeds(
         &self,
         tolerance_mm: f64,
-        deflection: f64,
+        deflection: (f64, Option<f64>),
         is_compensated: bool,
     ) -> Option<Exceeded> {
         let left = self.geometry_left(tolerance_mm, deflection);
@@ -184,7 +184,7 @@ impl MillAnswer {
     }
 
     /// The same of what nobody corrects: that of an arm that was not calibrated, or what its calibration leaves.
-    fn geometry_left(&self, tolerance_mm: f64, deflection: f64) -> Option<Exceeded> {
+    fn geometry_left(&self, tolerance_mm: f64, (deflection, p95): (f64, Option<f64>)) -> Option<Exceeded> {
         let (besides, most, what, helps) = match (&self.robot.calibration, self.drawn_error()) {
             (Some(known), _) => (
                 known.left_out,
@@ -200,12 +200,14 @@ impl MillAnswer {
             ),
             (None, None) => return None,
         };
+        // What errs by itself adds up as squares do.
+        let together = p95.map_or(0.0, |p95| p95.hypot(most)).max(most + deflection);
         let (more, is_likely) = match tolerance_mm / 1e3 {
             tolerance if tolerance < besides => ("more than the tolerance".into(), true),
             tolerance if tolerance < besides + deflection => {
                 ("with the deflection more than the tolerance".into(), true)
             }
-            tolerance if tolerance < most + deflection => {
+            tolerance if tolerance < together => {
                 let most = fixed(most * 1e3, 2);
                 (format!("{most} mm (95 %), which with the deflection may be more than the tolerance"), false)
             }

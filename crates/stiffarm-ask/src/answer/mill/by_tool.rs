@@ -5,7 +5,7 @@ use std::io::Write;
 use serde_json::{Value, json};
 
 use super::super::uncertainty::Known;
-use super::super::verdict::{self, Verdict};
+use super::super::verdict::{self, Barred, Verdict};
 use super::super::{
     Cell, Column, ColumnKind, Datum, Lead, Record, Rows, Table, field, fixed, shape, stiffness, with_schema,
 };
@@ -110,7 +110,7 @@ impl ByToolAnswer {
     }
 
     /// The same of what compensation leaves, the median of the draws as the nominal value.
-    fn compensated_verdict(&self) -> Option<Verdict> {
+    pub(in crate::answer) fn compensated_verdict(&self) -> Option<Verdict> {
         let (tolerance, left) = self.tolerance_mm.zip(self.drawn_left())?;
         let known = Known::of(left, Some(tolerance));
         let verdict = Verdict::of(known.spread.median, tolerance).with(known.holds);
@@ -122,7 +122,7 @@ impl ByToolAnswer {
         let each = || self.sections.iter().filter_map(|section| of(&section.milled));
         Verdict {
             is_of_drives_alone: each().any(|verdict| verdict.is_of_drives_alone),
-            barred: each().find_map(|verdict| verdict.barred),
+            barred: self.barred(),
             ..verdict
         }
     }
@@ -256,8 +256,29 @@ impl ByToolAnswer {
             }));
         }
         notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
-        notes.extend(self.sections.first().map(|first| first.milled.notes()));
-        notes
+        let of_each = self.of_each(|milled| milled.notes().lines().map(str::to_owned).collect());
+        of_each.into_iter().fold(notes, |notes, line| notes + &line + "\n")
+    }
+
+    /// What is said of every tool, each once; what is not of all of them under the number of its tool.
+    pub(in crate::answer) fn of_each(&self, says: impl Fn(&MillAnswer) -> Vec<String>) -> Vec<String> {
+        let all: Vec<Vec<String>> = self.sections.iter().map(|section| says(&section.milled)).collect();
+        let mut told: Vec<String> = Vec::new();
+        for (section, own) in self.sections.iter().zip(&all) {
+            for line in own {
+                let is_of_all = all.iter().all(|others| others.contains(line));
+                let line = if is_of_all { line.clone() } else { format!("T{}: {line}", section.tool) };
+                if !told.contains(&line) {
+                    told.push(line);
+                }
+            }
+        }
+        told
+    }
+
+    /// Why the answer is no, whatever the error, of the first tool of which it is.
+    pub(in crate::answer) fn barred(&self) -> Option<Barred> {
+        self.sections.iter().find_map(|section| section.milled.barred())
     }
 
     /// A controller's program of all tools, which stops where one is changed.

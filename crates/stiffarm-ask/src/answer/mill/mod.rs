@@ -171,29 +171,34 @@ impl MillAnswer {
         self.draws.clone().map(Spread::of)
     }
 
+    /// How large the largest error is with 95 %, m.
+    pub(super) fn p95(&self) -> Option<f64> {
+        self.spread().map(|spread| spread.p95)
+    }
+
     /// Whether the tolerance is kept along the path; `None` where there is none, or the path is not followed.
     pub fn verdict(&self) -> Option<Verdict> {
         let (tolerance, found) = self.tolerance_mm.zip(self.followed())?;
         let known = self.draws.clone().map(|draws| Known::of(draws, Some(tolerance)));
-        self.judged(found.worst.0, known.and_then(|known| known.holds), false)
+        self.judged((found.worst.0, self.p95()), known.and_then(|known| known.holds), false)
     }
 
     /// The same of what compensation leaves, the median of the draws as the nominal value; `None`, too, where nothing says how far the drives may
     /// be off.
-    pub(super) fn compensated_verdict(&self) -> Option<Verdict> {
+    pub(in crate::answer) fn compensated_verdict(&self) -> Option<Verdict> {
         let (tolerance, (left, _)) = self.tolerance_mm.zip(self.compensation.as_ref()?.remaining.as_ref())?;
-        self.judged(left.median, Known::of(left.all.clone(), Some(tolerance)).holds, true)
+        self.judged((left.median, Some(left.p95)), Known::of(left.all.clone(), Some(tolerance)).holds, true)
     }
 
-    /// A deflection, m, held with such a probability, beside what the geometry errs.
-    fn judged(&self, deflection: f64, holds: Option<f64>, is_compensated: bool) -> Option<Verdict> {
+    /// A deflection, nominal and with 95 %, m, held with such a probability, beside what the geometry errs.
+    fn judged(&self, deflection: (f64, Option<f64>), holds: Option<f64>, is_compensated: bool) -> Option<Verdict> {
         let tolerance = self.tolerance_mm?;
         let is_of_drives_alone = self.geometry_exceeds(tolerance, deflection, is_compensated).is_some();
-        Some(Verdict { is_of_drives_alone, barred: self.barred(), ..Verdict::of(deflection, tolerance).with(holds) })
+        Some(Verdict { is_of_drives_alone, barred: self.barred(), ..Verdict::of(deflection.0, tolerance).with(holds) })
     }
 
     /// Why the answer is no, whatever the error.
-    pub(super) fn barred(&self) -> Option<Barred> {
+    pub(in crate::answer) fn barred(&self) -> Option<Barred> {
         let collides = self.forbidding_contact().map(|_| Barred::Collides);
         let chatters = || self.chatter_shortfall().map(|_| Barred::Chatters);
         collides.or_else(chatters).or_else(|| self.carried().is_exceeded().then_some(Barred::Overloaded))
@@ -203,6 +208,11 @@ impl MillAnswer {
     /// knows what it leaves, and compensation promises nothing.
     pub(super) fn milled_verdict(&self) -> Option<Verdict> {
         self.compensated_verdict().or_else(|| self.verdict())
+    }
+
+    /// What is milled: the path, or what one of its tools cuts.
+    pub(crate) fn along(&self) -> String {
+        along(&self.path, self.only_tool)
     }
 
     /// The largest force along the path, N.
@@ -295,9 +305,14 @@ impl MillAnswer {
         };
         (!verdict.passes).then(|| {
             let error = fixed(tolerance - verdict.margin_mm, 4);
-            format!("{}: {error} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.path)
+            format!("{}: {error} mm along {}{what}, tolerance {tolerance} mm", self.robot.name, self.along())
         })
     }
+}
+
+/// A path, of which all that is said may be of one tool.
+fn along(path: &str, only_tool: Option<u32>) -> String {
+    only_tool.map_or_else(|| path.to_owned(), |tool| format!("{path} (tool {tool} alone)"))
 }
 
 fn least(found: &Followed, of: impl Fn(&Pushed) -> f64) -> f64 {

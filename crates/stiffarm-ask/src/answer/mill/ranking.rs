@@ -104,6 +104,11 @@ impl PathRankAnswer {
         self.rows.iter().filter_map(|row| row.milled.as_ref().ok())
     }
 
+    /// What is milled.
+    fn along(&self) -> String {
+        super::along(&self.path, self.milled().next().and_then(|milled| milled.only_tool))
+    }
+
     /// The first robot with a rank that follows the path and may carry what it holds, and those that cannot be distinguished from it by the proof.
     pub(in crate::answer) fn best(&self) -> Option<(&PathRow, Vec<&PathRow>)> {
         let mut ranked = self.rows.iter().filter(|row| row.is_candidate());
@@ -119,10 +124,10 @@ impl PathRankAnswer {
 
     /// What stands above the table.
     pub fn heading(&self) -> String {
-        let Some(first) = self.milled().next() else { return format!("{}: no robot has six joints\n", self.path) };
+        let Some(first) = self.milled().next() else { return format!("{}: no robot has six joints\n", self.along()) };
         format!(
             "Largest error [mm] along {}, each robot at its best place and rolls ({})\n{}; {}\ntool {}{}; keeps {}\n{}",
-            self.path,
+            self.along(),
             first.options.roll.name(),
             first.force,
             stiffnesses(self.rows.iter().map(|row| &row.robot)),
@@ -186,14 +191,14 @@ impl PathRankAnswer {
         let Some((best, rivals)) = self.best() else {
             let carried = if self.overloads().next().is_some() { " and may carry tool and force" } else { "" };
             let none =
-                format!("No robot whose geometry is published follows {}{}{carried}.", self.path, self.clearly());
+                format!("No robot whose geometry is published follows {}{}{carried}.", self.along(), self.clearly());
             return [none].into_iter().chain(self.overloads()).collect();
         };
         let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 3));
         let value = best.proved().map_or(0.0, |[_, value]| value);
         let mut sentences = vec![format!(
             "The smallest error along {} is that of {}: {}{}.",
-            self.path,
+            self.along(),
             best.robot.full_name(),
             mm(value),
             self.leaves_out(best, value)
@@ -220,7 +225,7 @@ impl PathRankAnswer {
             }
         }));
         let known = self.rows.iter().filter_map(|row| Some((row.robot.name.as_str(), row.chances?))).collect();
-        sentences.extend(uncertainty::sentence(&self.path, known));
+        sentences.extend(uncertainty::sentence(&self.along(), known));
         sentences.extend(self.overloads());
         sentences
     }
@@ -258,8 +263,8 @@ impl PathRankAnswer {
             return None;
         }
         Some(match self.tolerance_mm {
-            Some(tolerance) => format!("no robot of published geometry holds {tolerance} mm along {}", self.path),
-            None => format!("no robot of published geometry follows {}{}", self.path, self.clearly()),
+            Some(tolerance) => format!("no robot of published geometry holds {tolerance} mm along {}", self.along()),
+            None => format!("no robot of published geometry follows {}{}", self.along(), self.clearly()),
         })
     }
 }

@@ -26,6 +26,7 @@ impl MillAnswer {
             .put(field::STIFFNESS_SOURCE, robot.stiffness_source().name())
             .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::PATH, &self.path)
+            .put(field::ONLY_TOOL, self.only_tool.map(|tool| tool as usize))
             .put(field::CUTTING_FORCE, &self.force);
         self.carried().put(&mut record);
         record

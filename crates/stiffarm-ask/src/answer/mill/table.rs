@@ -59,7 +59,7 @@ impl MillAnswer {
             .map_or("time not known: no feed rate".into(), |time| format!("{} s of feeding", fixed(time, 1)));
         format!(
             "{}: {} long, {} of it cutting, {time}, {} samples",
-            self.path,
+            self.along(),
             metres("length_m"),
             metres("cutting_length_m"),
             self.stations.len()
@@ -182,7 +182,8 @@ impl MillAnswer {
         lines.extend(self.clearance_lines());
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
-            let exceeded = self.geometry_exceeds(tolerance, found.worst.0, false).filter(|_| verdict.passes);
+            let exceeded =
+                self.geometry_exceeds(tolerance, (found.worst.0, self.p95()), false).filter(|_| verdict.passes);
             let alone = match exceeded.map(|exceeded| exceeded.is_likely) {
                 Some(true) => "; with the geometry (below) it is more",
                 Some(false) => "; with the geometry (below) it may be more",

@@ -106,7 +106,7 @@ impl MillOutput<'_> {
         let row = |above: f64| (0..answer.stations.len()).step_by(stride).map(|i| cell(i, above)).collect();
         let (error, worst) = found.worst;
         let zone = Zone {
-            label: format!("{}: {:.3} mm at worst", answer.path, Unit::Millimetre.of_si(error)),
+            label: format!("{}: {:.3} mm at worst", answer.along(), Unit::Millimetre.of_si(error)),
             rim: Vec::new(),
             surface: Some(Surface { rows: vec![row(0.0), row(RIBBON)] }),
             worst: Some(cell(worst, 0.0)),
@@ -120,7 +120,7 @@ impl MillOutput<'_> {
             .map_or_else(|| "at the worst sample".into(), |sentence| format!("where it touches deepest ({sentence})"));
         let clear_of = answer.options.clear_of.as_ref();
         Ok(View {
-            title: format!("{} along {}", answer.robot.full_name(), answer.path),
+            title: format!("{} along {}", answer.robot.full_name(), answer.along()),
             notes: vec![answer.force.clone(), format!("the arm {shown}; the path as a ribbon above its tip")],
             arm,
             zone: Some(zone),

@@ -39,7 +39,7 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError
     sections.extend(swings(answer, found.figure_size));
     sections.extend([provenance_of(&answer.robot), repeated(asked, &inputs)?]);
     Ok(Report {
-        title: format!("{} along {}", answer.robot.full_name(), answer.path),
+        title: format!("{} along {}", answer.robot.full_name(), answer.along()),
         asked: format!("How far the tool is pushed off; {}", answer.force),
         headline: answer.headline(),
         sections,
@@ -77,5 +77,5 @@ pub(crate) fn picture(answer: &MillAnswer, asked: FigureSize, section: &mut Sect
 pub(crate) fn site(answer: &MillAnswer) -> Option<Section> {
     answer.followed()?;
     let layout = answer.layout()?;
-    Some(place::standing(&layout, &format!("{} along {}", answer.robot.full_name(), answer.path)))
+    Some(place::standing(&layout, &format!("{} along {}", answer.robot.full_name(), answer.along())))
 }

@@ -47,7 +47,8 @@ class Chatter(Table[types.ChatterDict]):
     """The tool point."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""

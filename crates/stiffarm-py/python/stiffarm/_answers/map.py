@@ -80,7 +80,8 @@ class Map(Table[types.MapDict]):
     """How much more than at the best roll a point may tell, relative."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""

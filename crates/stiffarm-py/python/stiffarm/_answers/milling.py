@@ -186,6 +186,9 @@ class Milled(Table[types.MilledDict]):
     path: str
     """The toolpath as it was asked for."""
 
+    only_tool: int | None
+    """The number of the only tool that mills; null where all of the path is milled."""
+
     force: str
     """Where the force on the tool comes from."""
 
@@ -193,7 +196,8 @@ class Milled(Table[types.MilledDict]):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no

@@ -47,7 +47,8 @@ class Modes(Table[types.ModesDict]):
     """The tool point."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""
@@ -147,7 +148,8 @@ class ModesOverZone(Table[types.ModesOverZoneDict]):
     whoever asks), unknown."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     tool_com_mm: list[float] | None
     """Mass centre of the tool in the flange frame."""

@@ -68,7 +68,8 @@ class Placement(Table[types.PlacementDict]):
     """Nominal payload."""
 
     tool_mass_kg: float | None
-    """Mass of the tool, where it was given: it is held against the payload and bends nothing."""
+    """Mass of the tool, where it was given: it is held against the payload, bends nothing, and lowers
+    frequencies."""
 
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
