@@ -6,10 +6,13 @@ import { button, el, say } from "./dom.js";
 /** @typedef {{headings: string[], rows: string[][], lead?: Lead | null}} Sheet */
 /** @typedef {{tables: Sheet[], sentences: string[][]}} AnswerText sentences: one list before the first table and one behind every table */
 
-/** Fails are marked, and nothing else is red. @param {string} text */
+/** The words of a verdict, and how each looks. @type {Record<string, string>} */
+const LOOKS = { pass: "pass", "pass, not sure": "pass unsure", fail: "fail", collision: "fail", "load exceeded": "fail", chatter: "fail" };
+
+/** Verdicts are marked, and nothing else is red. @param {string} text */
 function marked(text) {
-  const parts = text.split(/\b(pass|fail)\b/);
-  return parts.map((part) => (part === "pass" || part === "fail" ? el("b", { class: part }, [part]) : part));
+  const parts = text.split(/(\bpass, not sure\b|\bpass\b|\bfail\b|^collision\b|\bload exceeded\b|^chatter(?=;))/);
+  return parts.map((part) => (part in LOOKS ? el("b", { class: LOOKS[part] ?? "" }, [part]) : part));
 }
 
 /** @param {string} text */
@@ -76,30 +79,48 @@ export function words(sentences, name = "notes") {
   return el("div", { class: name }, sentences.map((sentence) => el("p", {}, marked(sentence))));
 }
 
-/**
- * The verdict of an answer in a word or two, with how likely it is held where that is known.
- * @param {{verdict?: string | null, probability?: number | null} | null} answer
- */
+/** @typedef {{verdict?: string | null, probability?: number | null, feasible?: boolean | null, overloaded?: boolean | null, wrist_exceeded?: boolean | null}} Judged */
+
+/** The verdict of an answer in a word or two; where no tolerance was given, that nobody may carry this. @param {Judged | null} answer @returns {string} */
+export function wordOf(answer) {
+  if (typeof answer?.verdict === "string") return answer.verdict;
+  return answer?.overloaded || answer?.wrist_exceeded ? "load exceeded" : "";
+}
+
+/** How what stands there looks: held, not held, not reached, or nothing of it. @param {Judged} answer */
+export function stateOf(answer) {
+  if (!answer.feasible) return "none";
+  const word = wordOf(answer);
+  return word === "" ? "" : word.startsWith("pass") ? "pass" : "fail";
+}
+
+/** The same with how likely it is held, where that is known. @param {Judged | null} answer */
 function judged(answer) {
-  const word = answer?.verdict;
-  if (typeof word !== "string") return [];
+  const word = wordOf(answer);
+  if (word === "") return [];
   const known = answer?.probability;
-  const passes = word.startsWith("pass");
   // What forbids a place is sure, and a probability beside it is not of it.
-  const isOfDeflection = passes || word === "fail";
+  const isOfDeflection = word.startsWith("pass") || (word === "fail" && answer?.feasible !== false);
   const sure = typeof known === "number" ? ` (P = ${Math.floor(100 * known + 1e-9)} %)` : word.includes(",") ? " (P not known)" : "";
-  return [el("b", { class: !passes ? "fail" : word === "pass" ? "pass" : "pass unsure" }, [word + (isOfDeflection ? sure : "")])];
+  return [el("b", { class: LOOKS[word] ?? "" }, [word + (isOfDeflection ? sure : "")])];
 }
 
 /**
  * The number that decides, and beside it in the same size what it rests on.
- * @param {string} number @param {string} means @param {{verdict?: string | null, probability?: number | null} | null} answer @param {string} rests
+ * @param {string} number @param {string} means @param {Judged | null} answer @param {string} rests
  */
 export function verdict(number, means, answer, rests) {
-  const says = judged(answer);
   return el("div", { class: "verdict" }, [
     el("p", { class: "means" }, [means]),
-    el("p", { class: "number" }, [el("output", { id: "number" }, [number]), " ", ...says]),
+    el("p", { class: "number" }, [el("output", { id: "number" }, [number]), " ", ...judged(answer)]),
     el("p", { class: "rests" }, [rests]),
   ]);
+}
+
+/** Another number while the hand moves, with the verdict on it. @param {string} number @param {Judged} answer */
+export function renumber(number, answer) {
+  const output = document.getElementById("number");
+  if (!output) return;
+  output.textContent = number;
+  output.parentElement?.replaceChildren(output, " ", ...judged(answer));
 }

@@ -39,8 +39,13 @@ export class CellPlan {
     this.body.addEventListener("keydown", (event) => this.keyed(/** @type {KeyboardEvent} */ (event)));
   }
 
-  /** @param {string} drawn @param {Stand | null} at @param {boolean | null} holds */
-  async show(drawn, at, holds) {
+  /** @param {string} state how what stands there looks */
+  mark(state) {
+    this.body.setAttribute("data-state", ["fail", "none"].includes(state) ? "fail" : "");
+  }
+
+  /** @param {string} drawn @param {Stand | null} at @param {string} state how what stands there looks */
+  async show(drawn, at, state) {
     if (this.isHeld) return;
     await this.picture.show(drawn);
     this.at = at;
@@ -53,7 +58,7 @@ export class CellPlan {
     const lies = { x: work.left - pad, y: work.top - pad, width: work.right - work.left + 2 * pad, height: work.bottom - work.top + 2 * pad };
     for (const [key, value] of Object.entries(lies)) this.rect.setAttribute(key, String(value));
     this.body.setAttribute("transform", "");
-    this.body.setAttribute("data-state", holds === false ? "fail" : "");
+    this.mark(state);
     this.body.setAttribute("aria-label", `the part, its origin at ${textOf(at)}; arrow keys move it by 1 cm, Page Up and Page Down lift and lower it, with Shift by 10 cm, [ and ] turn it by 5 degrees`);
   }
 

@@ -66,40 +66,46 @@ export function spotUnder(over, scale, event) {
   return { x: scale.x((event.clientX - box.left) * per), z: scale.z((event.clientY - box.top) * per) };
 }
 
-/** @param {Asked} asked @param {string} as */
-async function download({ verb, question }, as) {
+/** @param {Asked} asked @param {string} as @param {HTMLElement} refused where it is said that there is none */
+async function download({ verb, question }, as, refused) {
+  refused.textContent = "";
   try {
     const reply = await written(verb, question, as);
     const named = /filename="?([^";]+)"?/.exec(reply.headers.get("Content-Disposition") ?? "")?.[1] ?? `${verb}.${as}`;
     save(await reply.blob(), named);
     say(`${named} is downloaded`);
   } catch (fault) {
-    tellFault(fault);
+    refused.textContent = wordsOf(fault);
   }
 }
 
 /** @param {unknown} fault */
+function wordsOf(fault) {
+  return fault instanceof Refusal ? [fault.message, fault.hint].filter(Boolean).join("\n") : String(fault instanceof Error ? fault.message : fault);
+}
+
+/** @param {unknown} fault */
 export function tellFault(fault) {
-  const words = fault instanceof Refusal ? [fault.message, fault.hint].filter(Boolean).join("\n") : String(fault);
-  byId("fault").textContent = words;
+  byId("fault").textContent = wordsOf(fault);
 }
 
 /** What can be taken away of an answer. @param {() => Asked} asked @param {[string, string][]} kinds label and form */
 export function takeaway(asked, kinds) {
   const box = el("div", { class: "takeaway" });
   const code = el("div", { class: "code" });
+  const refused = el("p", { class: "fault", role: "alert" });
   const show = async () => {
     try {
       const { verb, question } = asked();
       const { command, python } = await call(`${addressOf(verb)}?as=command`, question);
       code.replaceChildren(snippet("as command", command), snippet("as Python", python));
     } catch (fault) {
-      tellFault(fault);
+      refused.textContent = wordsOf(fault);
     }
   };
   box.append(el("h2", {}, ["Take it along"]));
-  const buttons = kinds.map(([label, as]) => button(label, () => download(asked(), as), { "aria-label": `download ${label}` }));
-  box.append(el("div", { class: "buttons" }, [...buttons, button("as command, as Python", show)]), code);
+  const buttons = kinds.map(([label, as]) => button(label, () => download(asked(), as, refused), { "aria-label": `download ${label}` }));
+  box.append(el("div", { class: "buttons" }, [...buttons, button("as command, as Python", show)]), refused, code);
   return box;
 }
 

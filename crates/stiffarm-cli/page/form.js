@@ -2,7 +2,7 @@
 
 import { byId, el } from "./dom.js";
 import { opener } from "./open.js";
-import { change, isOfModel, value } from "./state.js";
+import { change, isAskedHere, isOfModel, value } from "./state.js";
 import { pickRobots } from "./pick.js";
 import { keyOf, rows } from "./table.js";
 
@@ -23,12 +23,14 @@ export function build(form, parts) {
   const met = new Set();
   form.replaceChildren(
     ...parts.map(({ verb, title, first }) => {
-      const of = rows(verb).filter((row) => isOfModel(verb, row) && row.name !== "width-mm" && !met.has(keyOf(verb, row)));
+      const of = rows(verb).filter((row) => isOfModel(verb, row) && isAskedHere(verb, row.name) && !met.has(keyOf(verb, row)));
       for (const row of of) met.add(keyOf(verb, row));
       const begin = first.flatMap((name) => of.filter((row) => row.name === name));
       const rest = of.filter((row) => !first.includes(row.name));
       const set = el("fieldset", {}, [el("legend", {}, [title]), ...begin.map((row) => control(verb, row))]);
       if (rest.length > 0) set.append(more(verb, title, rest));
+      const unasked = rows(verb).filter((row) => value(keyOf(verb, row)) !== "" && !isOfModel(verb, row) && !met.has(keyOf(verb, row)));
+      if (unasked.length > 0) set.append(el("p", { class: "unasked", role: "note" }, [`given, and not asked in this model: ${unasked.map(labelled).join(", ")}`]));
       return set;
     }),
   );
@@ -75,8 +77,9 @@ function entry(row, key, id) {
   const isOne = ["number", "integer"].includes(row.kind) && !row.list;
   const typed = (/** @type {Event} */ event) => {
     const text = /** @type {HTMLInputElement} */ (event.target).value.trim();
-    // Where one number is expected a comma can only be a decimal one; of a force three numbers have two.
-    change({ [key]: isOne || row.kind === "force" ? text.replace(/^([-+]?\d*),(\d+)$/, "$1.$2") : text });
+    // Where one number is expected a comma is a decimal one; of a force three numbers have two. In 1,000 it may mean either, and that is refused.
+    const isDecimal = (isOne || row.kind === "force") && !/^[-+]?[1-9]\d{0,2},\d{3}$/.test(text);
+    change({ [key]: isDecimal ? text.replace(/^([-+]?\d*),(\d+)$/, "$1.$2") : text });
   };
   if (row.kind === "choice" && !row.list) {
     const options = row.choices.map(({ word, help }) => el("option", { value: word, title: help, selected: word === given }, [word]));

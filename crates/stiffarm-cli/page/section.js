@@ -1,5 +1,6 @@
 // What does the section map show, and which value lies under the pointer?
 
+import { stateOf } from "./answer.js";
 import { Newest, fields, forms } from "./ask.js";
 import { el } from "./dom.js";
 import { Picture, boxOf, scaleOf, spotUnder } from "./figure.js";
@@ -11,7 +12,13 @@ import { ZoneObject, rounded, zoneOf } from "./zone.js";
 /** What the map is asked, without a zone. @param {Record<string, unknown>} [more] */
 function mapped(more = {}) {
   const ofZone = rows("map").filter((row) => row.name === "zone" || row.needs?.includes("zone"));
-  return question("map", { ...Object.fromEntries(ofZone.map((row) => [row.name, undefined])), ...more });
+  const asked = question("map", { ...Object.fromEntries(ofZone.map((row) => [row.name, undefined])), ...more });
+  // What the place is asked besides says something of a map only beside other options.
+  for (let left = -1; left !== Object.keys(asked.options).length; ) {
+    left = Object.keys(asked.options).length;
+    for (const row of rows("map")) if ((row.needs ?? []).some((name) => !(name in asked.options))) delete asked.options[row.name];
+  }
+  return asked;
 }
 
 /** The map with the zone and the window over it. */
@@ -53,7 +60,7 @@ export class Section {
     const at = Number.isFinite(x) && Number.isFinite(z) ? { x, z } : this.middle(best);
     this.folded = zone && isFlat ? { zone, deg } : null;
     this.zone.show(this.scale, zone && isFlat ? { ...zone, a: seenFromTheSide(zone, deg) } : zone, at, deg, isFlat);
-    this.zone.mark(!here.feasible ? "none" : here.pass === true ? "pass" : here.pass === false ? "fail" : "");
+    this.zone.mark(stateOf(here));
   }
 
   /** The zone whose side was pulled: the edge that is seen grows, of a zone that stands askew both do. @param {import("./zone.js").Zone} pulled */

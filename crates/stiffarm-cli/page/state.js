@@ -106,13 +106,24 @@ export function isOfModel(verb, of) {
   return of.models.includes(value(keyOf(verb, model)) || model.default || "planar");
 }
 
+/** The page has pictures of its own size, and mills with one robot. @param {string} verb @param {string} name */
+export function isAskedHere(verb, name) {
+  return name !== "width-mm" && !(verb === "mill" && name === "robots");
+}
+
+/** An example that was given before anything was said gives way to what excludes it. @param {string} verb @param {import("./table.js").Row} of */
+function givesWay(verb, of) {
+  if (values.has(keyOf(verb, of))) return false;
+  return rows(verb).some((other) => other.excludes.includes(of.name) && (values.get(keyOf(verb, other)) ?? "") !== "" && isAskedHere(verb, other.name));
+}
+
 /** The question of a verb, with what is changed of it. @param {string} verb @param {Record<string, unknown>} [changed] @returns {Question} */
 export function question(verb, changed = {}) {
   /** @type {Record<string, unknown>} */
   const options = {};
   for (const of of rows(verb)) {
     const text = value(keyOf(verb, of));
-    if (text !== "" && isOfModel(verb, of)) options[of.name] = asked(of, text);
+    if (text !== "" && isOfModel(verb, of) && isAskedHere(verb, of.name) && !givesWay(verb, of)) options[of.name] = asked(of, text);
   }
   for (const [name, text] of Object.entries(changed)) {
     if (text === undefined) delete options[name];
@@ -141,13 +152,18 @@ function named(json) {
   return found;
 }
 
+/** In which view a job is asked. @type {Record<string, string>} */
+const VIEW_OF = { rank: "robots", place: "place", map: "place", study: "place", mill: "mill", measure: "measure", identify: "measure", calibrate: "calibrate", "robots verify": "calibrate" };
+
 /** Takes the state from what a job file asks. @param {{verb: string, options: Record<string, unknown>}} job */
 export function readJob({ verb, options }) {
+  const of = VIEW_OF[verb];
+  const other = Object.keys(options).find((name) => name !== "width-mm" && !isAskedHere(verb, name));
+  if (of === undefined || other !== undefined) throw new Error(`a job of ${verb}${other === undefined ? "" : ` with ${other}`} has no view here: stiffarm ${verb} job.toml answers it`);
   const changes = Object.fromEntries(rows(verb).map((of) => [keyOf(verb, of), ""]));
   for (const [name, given] of Object.entries(options)) {
-    const of = row(verb, name);
-    if (of) changes[keyOf(verb, of)] = typed(given);
+    const known = row(verb, name);
+    if (known) changes[keyOf(verb, known)] = typed(given);
   }
-  const of = { rank: "robots", mill: "mill", measure: "measure", identify: "measure", calibrate: "calibrate", "robots verify": "calibrate" }[verb] ?? "place";
   change(changes, of);
 }

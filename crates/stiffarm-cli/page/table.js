@@ -57,7 +57,7 @@ export function asked(row, text) {
   const parts = text.split(",").map((part) => part.trim());
   if (["number", "integer", "force"].includes(row.kind)) {
     const numbers = parts.map((part) => (part === "" ? NaN : Number(part)));
-    if (numbers.some(Number.isNaN)) return text;
+    if (!numbers.every(Number.isFinite)) return text;
     return numbers.length === 1 && !(row.list && row.name === "at") ? numbers[0] : numbers;
   }
   if (row.list && ["robot", "task"].includes(row.kind)) return parts.filter((part) => part !== "");

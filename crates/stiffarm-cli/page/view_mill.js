@@ -1,6 +1,6 @@
 // Does this program hold the tolerance? The error along a toolpath, at rolls that are proved best.
 
-import { list, verdict, words } from "./answer.js";
+import { list, renumber, stateOf, verdict, wordOf, words } from "./answer.js";
 import { fields, forms, oneInFlight } from "./ask.js";
 import { CellPlan, textOf as standOf } from "./cell.js";
 import { button, el, say } from "./dom.js";
@@ -70,9 +70,8 @@ function standing() {
 /** The value while the part is in the hand. */
 const stand = oneInFlight(async (/** @type {import("./cell.js").Stand} */ at) => {
   const found = await fields("mill", question("mill", { at: standOf(at).split(",").map(Number) }));
-  const number = document.getElementById("number");
-  if (number) number.textContent = found.feasible ? `${found.worst_mm.toFixed(4)} mm` : "not followed";
-  cell.body.setAttribute("data-state", !found.feasible || found.pass === false ? "fail" : "");
+  renumber(found.feasible ? `${found.worst_mm.toFixed(4)} mm` : "not followed", found);
+  cell.mark(stateOf(found));
 });
 
 /** The rolls while a pin is in the hand. */
@@ -106,12 +105,12 @@ export const mill = {
     const means = answer.feasible ? lead.means : String(answer.reason ?? "");
     says.replaceChildren(verdict(label, means, answer, lead?.rests_on ?? ""), ...tables.map(list), words(sentences.flat()));
     programs.replaceChildren(...(answer.compensation ? [takeaway(asked, PROGRAMS)] : [el("p", { class: "notes" }, ["with “compensate” programs for KUKA, ABB and Fanuc, and the path led aside, can be downloaded"])]));
-    say(`${label} ${answer.pass === false ? "fail" : ""}`);
+    say([label, wordOf(answer)].filter(Boolean).join(", "));
     best.toggleAttribute("disabled", value("mill.at") === "");
     pinning.toggleAttribute("disabled", !answer.feasible);
     unpinning.toggleAttribute("disabled", value("mill.pin") === "");
     if (shown() === "rolls") await showRolls(answer.feasible ? (svg ?? "") : "");
-    if (shown() === "cell") await cell.show(shop ?? "", standing(), answer.feasible ? answer.pass : false);
+    if (shown() === "cell") await cell.show(shop ?? "", standing(), stateOf(answer));
     if (shown() === "lobes") await lobes.show(depths ?? "");
     if (shown() === "space") space.show({ verb: "mill", question: now });
     else space.clear();

@@ -1,6 +1,6 @@
 // Where must the work stand? The zone is moved by hand, and the best place is proved.
 
-import { list, verdict, words } from "./answer.js";
+import { list, stateOf, verdict, wordOf, words } from "./answer.js";
 import { fields, forms, oneInFlight } from "./ask.js";
 import { Comparison, add } from "./compare.js";
 import { button, el, say } from "./dom.js";
@@ -87,23 +87,25 @@ function limited(window) {
 /** The values of a place that stands, or is under the hand. @param {any} found @param {Spot | null} at @param {boolean} [isHere] it was set by hand */
 function tell(found, at, isHere = at !== null || value("at") !== "") {
   const mm = (/** @type {unknown} */ number, digits = 4) => (typeof number === "number" ? number.toFixed(digits) : "");
-  const [wx, , wz] = /** @type {number[]} */ (found.worst_point_m ?? []);
-  const where = at ? `x ${mm(at.x, 3)}, z ${mm(at.z, 3)} m` : `x ${mm(found.x_m, 3)}, z ${mm(found.z_m, 3)} m`;
+  const inCell = (/** @type {number[]} */ [x, y, z]) => `x ${mm(x, 3)}, y ${mm(y, 3)}, z ${mm(z, 3)} m in the cell`;
+  const point = (/** @type {number[]} */ [x, , z]) => `x ${mm(x, 3)}, z ${mm(z, 3)} m`;
+  const told = found.cell_m ? inCell : point;
+  const where = found.cell_m ? inCell(found.cell_m) : at ? point([at.x, 0, at.z]) : point([found.x_m, 0, found.z_m]);
   /** @type {[string, string][]} */
   const rows = found.feasible
     ? [
-        ["deflection", `${mm(found.deflection_mm)} mm`], ["stands at", where], ["worst point", `x ${mm(wx, 3)}, z ${mm(wz, 3)} m`],
+        ["deflection", `${mm(found.deflection_mm)} mm`], ["stands at", where], ["worst point", told(found.worst_point_m ?? [])],
         ["smallest margin", `${mm(found.smallest_margin_deg, 1)} deg, ${found.smallest_margin_of ?? ""}`],
       ]
     : [["deflection", "not reached"], ["stands at", at || typeof found.x_m === "number" ? where : "no place"], ["why", String(found.reason ?? "")]];
   if (found.feasible && typeof found.clearance_mm === "number") rows.push(["clearance", `${mm(found.clearance_mm, 0)} mm, ${found.clearance_of ?? ""}`]);
   if (isHere && typeof proved.deflection_mm === "number") rows.push(["best place", `${mm(proved.deflection_mm)} mm, x ${mm(proved.x_m, 3)}, z ${mm(proved.z_m, 3)} m`]);
-  const holds = found.feasible ? found : null;
+  if (isHere && value("within") !== "") rows.push(["window", "left out: the place is set by hand"]);
   live.replaceChildren(
-    verdict(rows.shift()?.[1] ?? "", `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, holds, rests),
+    verdict(rows.shift()?.[1] ?? "", `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, found, rests),
     el("dl", {}, rows.flatMap(([name, text]) => [el("dt", {}, [name]), el("dd", {}, [text])])),
   );
-  section.zone.mark(!found.feasible ? "none" : found.pass === true ? "pass" : found.pass === false ? "fail" : "");
+  section.zone.mark(stateOf(found));
 }
 
 let rests = "";
@@ -155,7 +157,7 @@ export const place = {
     rests = lead.rests_on;
     tell(answer, null);
     says.replaceChildren(...tables.map(list), words(sentences.flat()));
-    say(answer.feasible ? `${lead.value}${answer.pass === false ? ", fail" : ""}` : "no place");
+    say([answer.feasible ? lead.value : "no place", wordOf(answer)].filter(Boolean).join(", "));
     if (isDrawn) await section.update(answer, proved, svg ?? (await section.map(signal)));
     if (shown() === "space") space.show(asked());
     if (shown() === "compare") await comparison.update(signal);

@@ -29,22 +29,21 @@ export async function work(task) {
     strip.hidden = false;
   }, 250);
   document.body.setAttribute("aria-busy", "true");
+  let isAnswered = false;
   try {
     await newest.run(async (signal) => {
       await task(signal);
       if (signal.aborted) return;
       faulty(null);
-      document.body.removeAttribute("data-stale");
+      isAnswered = true;
     });
   } catch (fault) {
-    if (mine === running) {
-      faulty(/** @type {Error} */ (fault));
-      // What is seen answers another question.
-      document.body.setAttribute("data-stale", "");
-    }
+    if (mine === running) faulty(/** @type {Error} */ (fault));
   }
   clearTimeout(soon);
   if (mine !== running) return;
+  // Refused or called off: what is seen answers another question.
+  document.body.toggleAttribute("data-stale", !isAnswered);
   strip.hidden = true;
   document.body.removeAttribute("aria-busy");
 }

@@ -201,3 +201,17 @@ def test_the_window_is_moved_and_opened_by_keys(look: Open) -> None:
 def test_behind_a_mount_the_window_has_no_edges(look: Open) -> None:
     page = look("#place?mount=pedestal:0.5")
     expect(page.locator("#look .window")).to_have_attribute("display", "none")
+
+
+def test_what_may_not_be_carried_is_red_wherever_it_is_seen(look: Open) -> None:
+    page = look("#place?task=A:0.3&force-n=3000&tolerance-mm=50")
+    expect(page.locator(".verdict .number b")).to_have_text("load exceeded")
+    expect(page.locator(".verdict .number b")).to_have_class("fail")
+    assert page.locator("#look [data-state]").first.get_attribute("data-state") == "fail"
+    # Nor without a tolerance.
+    expect(look("#place?task=A:0.3&force-n=3000").locator(".verdict .number b")).to_have_text("load exceeded")
+
+
+def test_what_may_touch_is_said_on_the_page_too(look: Open) -> None:
+    page = look("#place?model=spatial&task=rect:0.3x0.2&tool=spindle:250@90")
+    expect(page.locator("#decide")).to_contain_text("nine arms in ten")

@@ -109,3 +109,37 @@ def test_what_is_refused_dims_the_answer_before_and_a_comma_is_a_point(look: Ope
     page.wait_for_url("**force-n=812.5*")
     settled(page)
     page.locator("body:not([data-stale])").wait_for(state="attached")
+
+
+def test_what_is_called_off_dims_the_answer_before(look: Open) -> None:
+    page = look("#place?task=A:0.3")
+    page.route("**/api/place?*", lambda route: None)
+    page.get_by_label("force [N]").fill("900")
+    page.get_by_role("button", name="cancel the work").click()
+    expect(page.locator("body")).to_have_attribute("data-stale", "")
+    expect(page.locator("body")).not_to_have_attribute("aria-busy", "true")
+
+
+def test_a_comma_that_may_mean_a_thousand_is_refused(look: Open) -> None:
+    page = look("#place?task=A:0.3", refused=True)
+    page.get_by_label("force [N]").fill("1,000")
+    expect(page.locator("[data-option=force-n] .fault")).to_contain_text("1,0")
+    expect(page.locator("body")).to_have_attribute("data-stale", "")
+    page.get_by_label("force [N]").fill("1e400")
+    expect(page.locator("[data-option=force-n] .fault")).to_contain_text("1e400")
+
+
+def test_a_job_that_has_no_view_is_refused(look: Open, tmp_path: Path) -> None:
+    file = tmp_path / "compare.toml"
+    file.write_text('verb = "compare"\na = "BT200L"\nb = "R-2000iC/210R"\ntask = "rect:0.5x0.5"\n')
+    page = look("#robots")
+    page.get_by_label("open a job file").and_(page.locator("input")).set_input_files(file)
+    expect(page.locator("#fault")).to_contain_text("a job of compare has no view here")
+    expect(page.locator("nav a[aria-current]")).to_contain_text("Robots")
+
+
+def test_what_a_model_does_not_ask_is_named(look: Open) -> None:
+    page = look("#place?keep-out=0.3..2,-1..1,..0.2")
+    expect(page.locator(".unasked")).to_contain_text("keep out")
+    page.get_by_label("model").select_option("spatial")
+    expect(page.locator(".unasked")).to_have_count(0)
