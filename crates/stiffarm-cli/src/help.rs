@@ -12,7 +12,7 @@ Exit codes:
   0  the answer is given
   1  no answer: a file, a robot, a search
   2  wrong usage
-  3  with --check (rank, place, mill): the tolerance is not held, there is no place, or with --chatter a cut surely swings";
+  3  with --check (rank, place, mill): the tolerance is not held, there is no place, the arm collides or carries more than it may, or with --chatter a cut surely swings";
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 

@@ -37,8 +37,7 @@ pub(crate) fn subcommand(verb: Verb, with_hidden: bool) -> Command {
         return command;
     }
     if CHECKED.contains(&verb) {
-        let help =
-            "Exit code 3 where the tolerance is not held, there is no place, or with --chatter a cut surely swings";
+        let help = "Exit code 3 where the tolerance is not held, there is no place, the arm collides or carries more than it may, or with --chatter a cut surely swings";
         command = command.arg(Arg::new(CHECK).long(CHECK).action(ArgAction::SetTrue).help(help).display_order(890));
     }
     let save = Arg::new(SAVE_JOB)

@@ -17,7 +17,9 @@ const MOST_PIXELS: f64 = 1e8;
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum RasterError {
     /// The picture has no pixel, or too many.
-    #[error("a picture of {width} x {height} pixels; expected at least one and at most {MOST_PIXELS:e}")]
+    #[error(
+        "a picture of {width} x {height} pixels; expected at least one and at most {MOST_PIXELS:e}: a smaller width-mm, or .svg or .pdf"
+    )]
     Size {
         /// Pixels across.
         width: f64,

@@ -100,7 +100,7 @@ pub(super) fn sentence(label: &str, mut known: Vec<(&str, Chances)>) -> Option<S
     let ties: Vec<&str> = known.iter().filter(|(_, one)| one.ties).map(|(name, _)| *name).collect();
     let tied = match ties.len() {
         0 | 1 if first.win < 0.95 => "the stiffness of no two overlaps".to_owned(),
-        0 | 1 => "it wins for sure".into(),
+        0 | 1 => "no other comes near".into(),
         count if count <= MOST_NAMED => {
             format!("the intervals of the stiffness overlap, so these tie: {}", ties.join(", "))
         }

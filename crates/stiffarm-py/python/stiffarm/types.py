@@ -1469,7 +1469,8 @@ class PlacedInRanking(_Pass):
     """By how much it may point aside."""
 
     feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    """Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null
+    where it may go any way."""
 
     component: str
     """What of the displacement counts: total, normal (to the face) or along (the force)."""
@@ -1789,7 +1790,8 @@ class RankingDict(TypedDict):
     """By how much it may point aside."""
 
     feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    """Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null
+    where it may go any way."""
 
     component: str
     """What of the displacement counts: total, normal (to the face) or along (the force)."""
@@ -2102,7 +2104,7 @@ class PathRankingDict(TypedDict):
     """The path as it was cut: samples, lengths and time."""
 
     error: str | None
-    """What of the displacement counts: total, across or axial."""
+    """What of the displacement counts: total, across, axial or normal."""
 
     rows: list[PathRankingRow]
     """One entry per row."""
@@ -2158,7 +2160,8 @@ class Placed(_Pass):
     """By how much it may point aside."""
 
     feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    """Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null
+    where it may go any way."""
 
     component: str
     """What of the displacement counts: total, normal (to the face) or along (the force)."""
@@ -2679,7 +2682,7 @@ class MilledDict(_Pass):
     """How the tool is turned about its axis."""
 
     error: str
-    """What of the displacement counts: total, across or axial."""
+    """What of the displacement counts: total, across, axial or normal."""
 
     asked_limit_margin_deg: float
     """What every joint was to keep from its limits."""
@@ -2904,7 +2907,7 @@ class MilledWithTool(_Pass):
     """How the tool is turned about its axis."""
 
     error: str
-    """What of the displacement counts: total, across or axial."""
+    """What of the displacement counts: total, across, axial or normal."""
 
     asked_limit_margin_deg: float
     """What every joint was to keep from its limits."""
@@ -3169,7 +3172,8 @@ class MapDict(TypedDict):
     """By how much it may point aside."""
 
     feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    """Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null
+    where it may go any way."""
 
     component: str
     """What of the displacement counts: total, normal (to the face) or along (the force)."""
@@ -3326,7 +3330,8 @@ class ComplianceDict(TypedDict):
     """By how much it may point aside."""
 
     feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    """Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null
+    where it may go any way."""
 
     component: str | None
     """What of the displacement counts: total, normal (to the face) or along (the force)."""

@@ -146,6 +146,10 @@ fn process(mut root: Table, beside: &mut dyn FnMut(&str) -> Result<String, Strin
             let mut table = root.table("material");
             let edge = if table.has("preset") {
                 known = preset(&mut table);
+                let unverified = known.iter().filter(|material| material.status == "unverified");
+                assumed.extend(unverified.map(|Material { name, source, .. }| {
+                    format!("the force coefficients of {name} are UNVERIFIED: {source}")
+                }));
                 known.as_ref().map(|material| material.edge)
             } else {
                 linear(&mut table)

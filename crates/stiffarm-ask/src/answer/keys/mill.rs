@@ -21,7 +21,7 @@ fields! {
     PINNED_WAY: "way_mm", Kind::Number(Unit::Millimetre), "How far along the path it stands.";
     PINNED_ROLL: "roll_deg", Kind::Number(Unit::Degree), "Its roll.";
     REARRANGED: "rearranged", Kind::Count, "How often the arm takes another configuration, clear of the work.";
-    ERROR_PART: "error", Kind::Text, "What of the displacement counts: total, across or axial.";
+    ERROR_PART: "error", Kind::Text, "What of the displacement counts: total, across, axial or normal.";
     SPEED_SHARE: "speed_share", Kind::Number(Unit::One), "Of the joints' speeds what is used at most; null where the robot file tells none.";
     AT: "at_m", numbers(Unit::Metre, &["at_x_m", "at_y_m", "at_z_m"]), "Where the path's origin stands, from the robot's base.";
     AT_YAW: "at_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical from straight ahead of the robot; null of a base that leans.";

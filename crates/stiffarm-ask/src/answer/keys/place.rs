@@ -19,7 +19,7 @@ fields! {
     FORCE_AXES: "force_axes", Kind::Text, "Along which axes its direction is given: base (ahead, left, up) or tool (feed, across, axial); null for the worst.";
     FORCE_DIRECTION: "force_direction", numbers(Unit::One, &["force_direction_1", "force_direction_2", "force_direction_3"]), "Its unit direction along these axes.";
     FORCE_CONE: "force_cone_deg", Kind::Number(Unit::Given("deg")), "By how much it may point aside.";
-    FEED: "feed_deg", Kind::Number(Unit::Given("deg")), "Direction of the feed from the first side of the zone; null where it may go any way.";
+    FEED: "feed_deg", Kind::Number(Unit::Given("deg")), "Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null where it may go any way.";
     COMPONENT: "component", Kind::Text, "What of the displacement counts: total, normal (to the face) or along (the force).";
     TOOL: "tool_mm", numbers(Unit::Given("mm"), &["tool_x_mm", "tool_y_mm", "tool_z_mm", "tool_rx_deg", "tool_ry_deg", "tool_rz_deg"]),
         "The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg.";

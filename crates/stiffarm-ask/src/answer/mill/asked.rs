@@ -329,12 +329,7 @@ fn forcing(
     moves: &[Move],
 ) -> Result<(Forcing, String, Vec<String>), MillAnswerError> {
     if let Some((name, file)) = process {
-        let mut remarks = file.assumed;
-        let unverified = file.material.filter(|material| material.status == "unverified");
-        remarks.extend(unverified.map(|material| {
-            format!("the force coefficients of {} are UNVERIFIED: {}", material.name, material.source)
-        }));
-        return Ok((Forcing::Process(file.process), name, remarks));
+        return Ok((Forcing::Process(file.process), name, file.assumed));
     }
     let mut feeds = moves.iter().filter(|one| one.kind == MoveKind::Feed).peekable();
     let asked_for = asked.acting()?;

@@ -149,6 +149,12 @@ impl MillAnswer {
         Some(format!("{of_robot}{uncovered}; {}", besides(measured)))
     }
 
+    /// Whether the cuts swing was asked, and is not decided.
+    pub(super) fn chatter_is_open(&self) -> bool {
+        let worst = self.chatter.as_ref().and_then(|chatter| chatter.worst.as_ref());
+        worst.is_some_and(|(_, found)| found.chatter.verdict() == Verdict::NotDecided)
+    }
+
     /// Why the cuts are no answer, where they are asked and surely swing.
     pub(super) fn chatter_shortfall(&self) -> Option<String> {
         let (worst, found) = self.chatter.as_ref()?.worst.as_ref()?;

@@ -7,6 +7,7 @@ use super::{Compensation, MillAnswer, MillAnswerError};
 use stiffarm::calibration::ControllerModel;
 use stiffarm::catalogue::robots;
 use stiffarm::chain::TrueArm;
+use stiffarm::limits::Pendant;
 use stiffarm::mill::{Followed, PartPlacement, Stand, Station, approach};
 use stiffarm::plain::on_one_line;
 use stiffarm::program::{self, Language, Setup, Style};
@@ -48,12 +49,17 @@ impl MillAnswer {
         };
         let mut stations: Vec<program::Station> = self.stations.iter().enumerate().map(station).collect();
         let approach = self.approach(found, placement)?;
+        // A program has moves in joints where it is known how the pendant counts them.
+        let is_known = self.robot.pendant().is_some_and(|pendant| *pendant != Pendant::Unknown);
+        let in_joints = if is_known { ", in joints," } else { "" };
         let remark = match approach {
             Some((height, _)) => format!(
-                "The first move, in joints, goes to a place {:.0} mm above the path's beginning, along the tool axis; the way there is checked by nobody.",
+                "The first move{in_joints} goes to a place {:.0} mm above the path's beginning, along the tool axis; the way there is checked by nobody.",
                 height * 1e3
             ),
-            None => "No approach: no place above the path's beginning is held and touches nothing, and the first move, in joints, goes to the beginning itself.".into(),
+            None => format!(
+                "No approach: no place above the path's beginning is held and touches nothing, and the first move{in_joints} goes to the beginning itself."
+            ),
         };
         if let Some((_, joints)) = approach {
             stations.insert(0, program::Station { joints, feed: None, is_cutting: false, ..stations[0] });

@@ -6,6 +6,7 @@ use super::super::verdict::HOLDS;
 use super::super::words::{COLUMN, degrees, direction, fixed, percentages, tool};
 use super::super::{Line, Table, advice, line, margins, uncertainty, words};
 use super::PlaceAnswer;
+use stiffarm::clearance::Clearance;
 use stiffarm::model::ModelKind;
 use stiffarm::place::{FacePlacement, Outside, PlaceOptions, Placed, Placement, SpaceHold};
 use stiffarm::task::Task;
@@ -57,7 +58,12 @@ impl PlaceAnswer {
         let best = placed.feasible();
         let (decides, means) = best
             .map_or((NO_PLACE, "why there is no place"), |best| (worst_label(best), "worst deflection at the place"));
-        let clearance = self.clearance().map(|clearance| words::clearance(&clearance)[0].clone());
+        // A row that says more than a distance, such as what may touch, is not what its fields say already.
+        let is_distance = |clearance: &Clearance| {
+            let between = words::clearance_between(clearance);
+            words::collision(clearance).is_none() && clearance.knows_tool && between == words::clearance_of(clearance)
+        };
+        let clearance = self.clearance().filter(is_distance).map(|clearance| words::clearance(&clearance)[0].clone());
         let centre = best.map(|best| self.centre_label(best));
         let repeated = ["robot", SMALLEST_MARGIN, WORST_POINT].into_iter();
         let repeated: Vec<&str> = repeated.chain(clearance.as_deref()).chain(centre.as_deref()).collect();

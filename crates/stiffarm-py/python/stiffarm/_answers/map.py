@@ -59,7 +59,8 @@ class Map(Table[types.MapDict]):
     """By how much it may point aside."""
 
     feed_deg: float | None
-    """Direction of the feed from the first side of the zone; null where it may go any way."""
+    """Direction of the feed from the first side of the zone, of one posture from the x axis of the tool; null
+    where it may go any way."""
 
     component: str
     """What of the displacement counts: total, normal (to the face) or along (the force)."""

@@ -224,7 +224,7 @@ class Milled(Table[types.MilledDict]):
     """How the tool is turned about its axis."""
 
     error: str
-    """What of the displacement counts: total, across or axial."""
+    """What of the displacement counts: total, across, axial or normal."""
 
     asked_limit_margin_deg: float
     """What every joint was to keep from its limits."""
@@ -463,7 +463,7 @@ class PathRanking(Table[types.PathRankingDict]):
     """The path as it was cut: samples, lengths and time."""
 
     error: str | None
-    """What of the displacement counts: total, across or axial."""
+    """What of the displacement counts: total, across, axial or normal."""
 
     rows: list[types.PathRankingRow]
     """One entry per row."""
