@@ -442,9 +442,10 @@ fn the_view_that_can_be_turned_has_its_own_name_and_figures_keep_theirs() {
     let pages = |name: &str| Document::load_mem(&written(&place, name)).expect("a PDF").get_pages().len();
     assert_eq!(["a.pdf", "myreport.pdf", "report.figure.pdf"].map(pages), [1, 1, 1]);
     assert!(["report.pdf", "a.report.pdf", "a-report.pdf"].iter().all(|name| 1 < pages(name)));
-    // A map has no report: this is its figure.
-    assert_eq!(Document::load_mem(&written(&map, "report.pdf")).expect("a PDF").get_pages().len(), 1);
+    // A map has no report, and its figure is none.
     let folder = TempDir::new().expect("a folder");
+    let (code, _, errors) = run(folder.path(), &[&map[..], &["-o", "report.pdf"]].concat());
+    assert!(code == 2 && errors.contains("map cannot write report.pdf"), "{errors}");
     let (code, _, errors) = run(folder.path(), &["rank", "--task", "A:0.3", "-o", "view.html"]);
     assert!(code == 2 && errors.contains("rank cannot write view.html: expected a name that ends in"), "{errors}");
     assert!(errors.contains(".html") && errors.contains("report.pdf"), "{errors}");

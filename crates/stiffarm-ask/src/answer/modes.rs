@@ -133,7 +133,7 @@ impl ModesAnswer {
                 .into(),
         ];
         notes.extend(left_out_note(robot));
-        let calm = self.modes().iter().enumerate().filter(|(_, mode)| 1.0 <= mode.damping_ratio);
+        let calm = self.modes().iter().enumerate().filter(|(_, mode)| 1.0 - 1e-9 <= mode.damping_ratio);
         let calm: Vec<String> = calm.map(|(rank, _)| (rank + 1).to_string()).collect();
         if !calm.is_empty() {
             let modes = calm.join(", ");
