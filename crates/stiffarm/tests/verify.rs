@@ -221,6 +221,30 @@ fn every_wrong_way_of_counting_is_found_and_what_is_written_then_is_verified() {
     }
 }
 
+/// A pendant that counts joint 3 from the horizontal: with base and tool fitted, turning the wrist round fits as well, but joint 5 was read where
+/// its range would not let it be.
+#[test]
+fn a_way_of_counting_outside_of_the_ranges_is_not_taken_before_one_within() {
+    let text = "joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg,x_mm,y_mm,z_mm\n\
+                -71.6557,-33.9125,-95.5348,94.8700,-61.8348,-44.0615,209.6389,1232.3161,2617.5373\n\
+                -6.1493,-122.2641,-67.8878,174.4361,-55.8895,-179.1036,430.9668,63.7915,2788.7509\n\
+                81.8857,-51.8032,-41.8689,-141.3118,26.0600,-76.4327,351.5756,-2047.5889,2532.9674\n\
+                -8.8011,-41.1050,17.1899,-171.0469,11.8138,-127.1613,2533.4612,399.1829,1016.5842\n\
+                -2.4762,-40.5113,-82.3256,194.4680,45.1376,-7.8706,1296.3624,94.1698,2775.8230\n\
+                22.8325,-94.1900,-15.4310,-182.5864,50.2482,-49.6378,1400.0488,-597.5532,2297.4550\n";
+    let readings = readings(text, "KUKA");
+    let found = asked(&kuka(), &readings);
+    let (robot, fit) = found.written_of().expect("one that agrees");
+    assert!(fit.agrees() && fit.convention.third_axis == ThirdAxis::Forearm, "{:?}", fit.convention);
+    let (written, remarks) = found.robot_file("2026-11-29").expect("written");
+    let (_, limits) = parts(&written);
+    let is_within = |(joint, range): (usize, &stiffarm::interval::Interval)| {
+        readings.rows.iter().all(|row| range.contains(row.q[joint], 0.02))
+    };
+    assert!(limits.joints.iter().enumerate().all(is_within), "{robot:?} {limits:?}");
+    assert!(!remarks.iter().any(|remark| remark.contains("it hardly counts so")), "{remarks:?}");
+}
+
 #[test]
 fn readings_that_move_no_wrist_verify_nothing_and_the_postures_proposed_do() {
     let robot = kuka();

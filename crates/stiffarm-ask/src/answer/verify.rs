@@ -49,6 +49,7 @@ impl VerifyAnswer {
             postures,
             wrong_row,
             rows,
+            read: _,
             is_measured,
             verified,
         } = &self.found;

@@ -13,6 +13,7 @@ mod search;
 
 use crate::catalogue::readings::Readings;
 use crate::geometry::Geometry;
+use crate::interval::Interval;
 use crate::limits::{Limits, Pendant, Verified};
 use crate::parallel;
 use crate::robot::{Arm, Robot};
@@ -61,6 +62,8 @@ pub struct Verification {
     pub wrong_row: Option<(usize, f64)>,
     /// How many rows were read.
     pub rows: usize,
+    /// From where to where each joint was read, rad.
+    pub read: [Interval; 6],
     /// Points were measured by an instrument.
     pub is_measured: bool,
 }
@@ -114,6 +117,7 @@ pub fn verify(
         zeros_not_seen: (0..6).filter(|joint| !table.free().contains(joint)).map(|joint| joint + 1).collect(),
         wrong_row: None,
         rows: readings.rows.len(),
+        read: ranges_of(readings),
         is_measured: readings.is_measured,
         as_file,
     };
@@ -126,12 +130,15 @@ pub fn verify(
     if found.wrong_row.is_some() {
         return Ok(found);
     }
-    let mut fits: Vec<(Robot, Fit)> =
-        search::best(&table, geometry, &file, watch)?.into_iter().map(|fit| (robot.clone(), fit)).collect();
+    let is_allowed = |convention: &Convention| beyond(convention, robot, &found.read).next().is_none();
+    let mut fits: Vec<(Robot, Fit)> = search::best(&table, geometry, (&file, &is_allowed), watch)?
+        .into_iter()
+        .map(|fit| (robot.clone(), fit))
+        .collect();
     if !fits.iter().any(|(_, fit)| fit.agrees()) {
         fits.extend(ranked(&table, others, watch)?);
     }
-    sort(&mut fits, robot);
+    sort(&mut fits, robot, &found.read);
     fits.truncate(REPORTED);
     if let Some((best, fit)) = fits.first().filter(|(_, fit)| fit.agrees())
         && let Some(parts) = six_axis(best)
@@ -194,14 +201,38 @@ fn ranked(table: &Table, robots: &[Robot], watch: Watch) -> Result<Vec<(Robot, F
     Ok(found)
 }
 
-/// Those that agree first, with the fewest changes, of which another robot is one; then by rms.
-fn sort(fits: &mut [(Robot, Fit)], asked: &Robot) {
+/// From where to where each joint was read, rad.
+fn ranges_of(readings: &Readings) -> [Interval; 6] {
+    std::array::from_fn(|joint| {
+        let angles = || readings.rows.iter().map(|row| row.q[joint]);
+        Interval::spanning(angles().fold(f64::INFINITY, f64::min), angles().fold(f64::NEG_INFINITY, f64::max))
+    })
+}
+
+/// The joints, from 0, that were read where the ranges of a robot that counts so do not let them be.
+fn beyond(convention: &Convention, robot: &Robot, read: &[Interval; 6]) -> impl Iterator<Item = (usize, Interval)> {
+    /// rad: ranges are rounded, and a pendant shows a joint at its stop.
+    const SLACK: f64 = 0.02;
+    let (written, _) = convention.written(robot);
+    let ranges = six_axis(&written).map(|(_, limits)| limits.joints);
+    let read = *read;
+    ranges.into_iter().flat_map(move |ranges| ranges.into_iter().zip(read).enumerate()).filter_map(
+        |(joint, (range, read))| {
+            let is_within = range.contains(read.min(), SLACK) && range.contains(read.max(), SLACK);
+            (!is_within).then_some((joint, range))
+        },
+    )
+}
+
+/// Those that agree first, within the ranges of the joints, with the fewest changes, of which another robot is one; then by rms.
+fn sort(fits: &mut [(Robot, Fit)], asked: &Robot, read: &[Interval; 6]) {
+    let outside = |(robot, fit): &(Robot, Fit)| beyond(&fit.convention, robot, read).count();
     let changes = |(robot, fit): &(Robot, Fit)| {
         let own = six_axis(robot).map(|(geometry, limits)| (geometry, Convention::of(geometry, limits)));
         own.map_or(0, |(geometry, own)| fit.assumed(geometry, &own)) + usize::from(robot.name != asked.name)
     };
     fits.sort_by(|a, b| match (a.1.agrees(), b.1.agrees()) {
-        (true, true) => changes(a).cmp(&changes(b)).then(a.1.rms.total_cmp(&b.1.rms)),
+        (true, true) => (outside(a), changes(a)).cmp(&(outside(b), changes(b))).then(a.1.rms.total_cmp(&b.1.rms)),
         (x, y) => y.cmp(&x).then(a.1.rms.total_cmp(&b.1.rms)),
     });
 }
@@ -255,7 +286,16 @@ impl Verification {
         let (robot, fit) = self.written_of()?;
         let differences = six_axis(robot)
             .map_or_else(Vec::new, |(geometry, limits)| fit.convention.differences(&Convention::of(geometry, limits)));
+        let beyond: Vec<(usize, Interval)> = beyond(&fit.convention, robot, &self.read).collect();
         let (mut robot, mut remarks) = fit.convention.written(robot);
+        remarks.extend(beyond.iter().map(|(joint, range)| {
+            let [least, most, from, to] = [range.min(), range.max(), self.read[*joint].min(), self.read[*joint].max()]
+                .map(|angle| (angle.to_degrees() * 100.0).round() / 100.0);
+            format!(
+                "joint {} was read from {from} to {to} deg, beyond its range of {least} to {most} deg in this file: it hardly counts so",
+                joint + 1
+            )
+        }));
         if !differences.is_empty() {
             // What was said of the way of counting before holds no longer.
             let (rows, differences) = (self.rows, differences.join(", "));

@@ -17,11 +17,17 @@ const REFINED: usize = 40;
 /// So many of them with their zeros.
 const ZEROED: usize = 12;
 
-/// The ways of counting that fit best, in no order.
+/// The ways of counting that fit best, in no order; it is looked on until one agrees that the ranges allow.
 ///
 /// # Errors
 /// Where nobody waits any longer.
-pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch: Watch) -> Result<Vec<Fit>, Stopped> {
+pub(super) fn best(
+    table: &Table,
+    geometry: &Geometry,
+    (file, is_allowed): (&Convention, &dyn Fn(&Convention) -> bool),
+    watch: Watch,
+) -> Result<Vec<Fit>, Stopped> {
+    let is_likely = |fit: &Fit| fit.agrees() && is_allowed(&fit.convention);
     let all = table;
     let table = &all.thinned(ROWS);
     let free = table.free();
@@ -34,11 +40,15 @@ pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch:
     });
     let first: Vec<Convention> = near.iter().cloned().chain(signs).collect();
     let mut found = parallel::each(&first, |convention| settled(table, geometry, (convention, file), &free));
-    if !found.iter().any(Fit::agrees) {
+    // Ways of counting that the ranges allow come first: those that only a fitted tool makes alike are too many.
+    let (allowed, others): (Vec<_>, Vec<_>) = every(file).into_iter().partition(|convention| is_allowed(convention));
+    for ways in [allowed, others] {
+        if found.iter().any(is_likely) {
+            break;
+        }
         watch.go_on()?;
-        let every: Vec<Convention> = every(file);
-        let glances = parallel::each(&every, |convention| table.glance(geometry, convention));
-        let mut glances: Vec<(f64, Convention)> = glances.into_iter().zip(every).collect();
+        let glances = parallel::each(&ways, |convention| table.glance(geometry, convention));
+        let mut glances: Vec<(f64, Convention)> = glances.into_iter().zip(ways).collect();
         watch.go_on()?;
         glances.sort_by(|a, b| a.0.total_cmp(&b.0));
         glances.truncate(REFINED);
