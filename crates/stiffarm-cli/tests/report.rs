@@ -214,6 +214,8 @@ fn a_ranking_has_every_robot_and_every_number_in_the_digits_of_its_table() {
     }
     assert!(text.contains("Serial or quasi-serial?") && text.contains("is better below d/(l2+l3) = "));
     assert!(text.contains("joint-1 axis to its near edge"));
+    // Places stand in each robot's part, and in no narrow column beside the values.
+    assert!(1 < rows[0]["cells"].as_array().expect("cells").len() && !text.contains("at [m, deg]"));
 }
 
 #[test]

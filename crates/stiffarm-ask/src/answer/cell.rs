@@ -85,7 +85,9 @@ fn mount(mount: &Mount) -> String {
 }
 
 fn range(range: Interval) -> String {
-    let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
+    // A place that is given leaves the slack of a nanometre about it.
+    let rounded = |x: f64| ((x * 1e6).round() / 1e6 + 0.0).to_string();
+    let end = |x: f64| if x.is_finite() { rounded(x) } else { String::new() };
     format!("{}..{}", end(range.min()), end(range.max()))
 }
 

@@ -160,14 +160,19 @@ impl Bands {
         let further = self.beyond.map(|beyond| if beyond { 13.0 } else { 0.0 });
         canvas.text([middle, bottom + 12.0 + further[0]], small, word);
         canvas.text([middle, top - 11.0 - further[1]], large, word);
+        /// Beside a bar.
+        const MOST_LINES: usize = 3;
         let font = Font::new(13.0).middle();
         // The unit stands at its end, and is never cut.
         let (name, unit) =
             title.rsplit_once(" [").map_or((title, String::new()), |(name, unit)| (name, format!(" [{unit}")));
         let room = bottom - top + 30.0;
-        let mut lines = font.wrapped(name, room, 3);
-        if let Some(last) = lines.last_mut() {
-            *last = font.cut(last, room - font.width(&unit)) + &unit;
+        let mut lines = font.wrapped(title, room, MOST_LINES + 1);
+        if MOST_LINES < lines.len() {
+            lines = font.wrapped(name, room, MOST_LINES);
+            if let Some(last) = lines.last_mut() {
+                *last = font.cut(last, room - font.width(&unit)) + &unit;
+            }
         }
         for (i, line) in lines.iter().enumerate() {
             canvas.text(

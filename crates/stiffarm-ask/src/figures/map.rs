@@ -114,7 +114,10 @@ impl MapFigure<'_> {
 
     pub(crate) fn entries(&self) -> Vec<Entry> {
         let mut entries = self.scene.entries();
-        if let Some(tolerance) = self.tolerance {
+        // Where all is stiffer, or all is softer, there is no line.
+        let is_crossed =
+            |tolerance: &f64| self.extremes().is_some_and(|[least, most]| (least..=most).contains(tolerance));
+        if let Some(tolerance) = self.tolerance.filter(is_crossed) {
             let look = format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#);
             entries.insert(0, Entry::line(format!("tolerance {tolerance} mm"), look));
         }

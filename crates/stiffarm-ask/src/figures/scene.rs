@@ -171,12 +171,16 @@ impl Scene {
         }
         for range in &self.windows {
             let [one, other] = within(range);
-            canvas.rect(
-                one,
-                other,
-                &format!(r#"fill="none" stroke="{PAPER}" stroke-opacity="0.8" stroke-width="4.5""#),
-            );
-            canvas.rect(one, other, &window_look());
+            for look in
+                [format!(r#"fill="none" stroke="{PAPER}" stroke-opacity="0.8" stroke-width="4.5""#), window_look()]
+            {
+                // A box without a height or a width is drawn by no program; it is a line.
+                if one[0] == other[0] || one[1] == other[1] {
+                    canvas.path(&path(&[one, other], false), &look);
+                } else {
+                    canvas.rect(one, other, &look);
+                }
+            }
         }
     }
 

@@ -37,7 +37,7 @@ pub(super) fn draw(page: &mut Page, table: &Table) {
     let head = (!laid.names_lines).then(|| laid.broken(page, &table.headings, Cut::Bold));
     let of_head = head.as_ref().map_or(0.0, |head| laid.height(head));
     let whole = of_head + rows.iter().map(|row| laid.height(row)).sum::<f32>();
-    if rows.len() <= FEW && whole <= super::page::HEIGHT {
+    if laid.stays_whole(rows.len(), whole) {
         page.reserve(whole);
     }
     // No heading stands alone at the foot of a page.
@@ -63,7 +63,7 @@ pub(super) fn least(page: &Page, table: &Table) -> f32 {
     let rows = || table.rows.iter().map(|row| laid.height(&laid.broken(page, row, Cut::Plain)));
     let of_head = laid.height(&laid.broken(page, &table.headings, Cut::Bold));
     let whole = of_head + rows().sum::<f32>();
-    if table.rows.len() <= FEW && whole <= super::page::HEIGHT { whole } else { of_head + rows().take(2).sum::<f32>() }
+    if laid.stays_whole(table.rows.len(), whole) { whole } else { of_head + rows().take(2).sum::<f32>() }
 }
 
 /// Widths and size: what every column needs where there is room, else the room is shared by how much more than its longest word each needs.
@@ -110,6 +110,11 @@ fn needed(page: &Page, table: &Table, i: usize, size: f32) -> [f32; 2] {
 }
 
 impl Laid {
+    /// It is not broken over pages: it is short, and its rows are compared. Names with what is said of them are read one by one.
+    fn stays_whole(&self, rows: usize, height: f32) -> bool {
+        !self.names_lines && rows <= FEW && height <= super::page::HEIGHT
+    }
+
     /// Cells in lines.
     fn broken(&self, page: &Page, cells: &[String], cut: Cut) -> Vec<Vec<String>> {
         let of = |(cell, [_, width]): (&String, &[f32; 2])| {

@@ -33,6 +33,11 @@ impl RankAnswer {
         at.into_iter().map(|metres| fixed(metres, 3)).collect()
     }
 
+    /// Of several tasks: the columns that tell where each stands.
+    pub fn place_headings(&self) -> Vec<String> {
+        self.ranking.tasks.iter().map(|task| format!("{} at [m, deg]", task.label)).collect()
+    }
+
     /// For people: one row per robot.
     pub fn table(&self) -> Table {
         let Ranking { tasks, rows, in_plane, .. } = &self.ranking;
@@ -44,7 +49,7 @@ impl RankAnswer {
         let axes = self.axes();
         let places: Vec<String> = match tasks.as_slice() {
             [_] => axes.iter().map(|axis| format!("{axis} [m]")).chain(["margin [deg]".into()]).collect(),
-            several => several.iter().map(|task| format!("{} at [m, deg]", task.label)).collect(),
+            _ => self.place_headings(),
         };
         let is_several = 1 < tasks.len();
         let mut spare = vec!["bound", "mean ratio"];

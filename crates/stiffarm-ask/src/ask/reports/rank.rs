@@ -76,7 +76,7 @@ fn with_parts(answer: &RankAnswer) -> Vec<usize> {
 /// The ranking without the columns that tell places, where there are several: these stand in each robot's part.
 fn without_places(answer: &RankAnswer) -> Table {
     let mut table = answer.table();
-    let places: Vec<String> = answer.ranking.tasks.iter().map(|task| format!("{} at", task.label)).collect();
+    let places = answer.place_headings();
     for at in (0..table.headings.len()).rev().filter(|_| 1 < places.len()) {
         if places.contains(&table.headings[at]) {
             table.headings.remove(at);
