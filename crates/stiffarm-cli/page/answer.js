@@ -11,8 +11,10 @@ const LOOKS = { pass: "pass", "pass, not sure": "pass unsure", fail: "fail", col
 
 /** Verdicts are marked, and nothing else is red. @param {string} text */
 function marked(text) {
-  const parts = text.split(/(\bpass, not sure\b|\bpass\b|\bfail\b|^collision\b|\bload exceeded\b|^chatter(?=;))/);
-  return parts.map((part) => (part in LOOKS ? el("b", { class: LOOKS[part] ?? "" }, [part]) : part));
+  // What bars an answer comes before what its deflection alone would be.
+  const barred = /(\b(?:collision|load exceeded|chatter)(?=; by the deflection)|\bCOLLISION\b|\bLOAD EXCEEDED\b|\bCHATTER\b)/;
+  const parts = text.split(barred.test(text) ? barred : /(\bpass, not sure\b|\bpass\b|\bfail\b)/);
+  return parts.map((part, i) => (i % 2 === 1 ? el("b", { class: LOOKS[part] ?? "fail" }, [part]) : part));
 }
 
 /** @param {string} text */

@@ -52,6 +52,16 @@ fn a_tool_that_may_not_be_carried_is_told_with_the_frequencies_and_what_does_not
     let asked = ["modes", "KR 210 R2700-2", "--joints-deg=0,-90,90,0,45,0", "--tool-com-mm", "0,0,200"];
     let (_, heavy, _) = output(&[&asked, &["--tool-mass-kg", "500"]]);
     assert!(heavy.contains("may not carry this: payload 210 kg: EXCEEDED; tool of 500 kg"), "{heavy}");
+    let (_, long, _) = output(&[&[
+        "modes",
+        "KR 210 R2700-2",
+        "--joints-deg=0,-90,90,0,45,0",
+        "--tool-com-mm",
+        "0,0,2000",
+        "--tool-mass-kg",
+        "100",
+    ]]);
+    assert!(long.contains("EXCEEDED about axis 5, of the tool's weight;"), "{long}");
     let (_, light, _) = output(&[&asked, &["--tool-mass-kg", "50"]]);
     assert!(!light.contains("EXCEEDED") && !light.contains("nothing swings"), "{light}");
     let (_, calm, _) = output(&[&asked, &["--tool-mass-kg", "50", "--damping-ratio", "1", "--count", "2"]]);

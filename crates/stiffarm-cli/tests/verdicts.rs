@@ -73,7 +73,12 @@ fn what_may_not_be_carried_does_not_pass() {
     let (code, text, errors) = run(&[&asked[..], &["--check"]].concat());
     assert!(code == 3 && text.contains("load exceeded; by the deflection alone"), "{code} {text}{errors}");
     let document = page(&asked);
-    assert!(!document.contains("class=\"good\""), "{document}");
+    assert!(!document.contains("verdict good") && !document.contains("class=\"pass\""), "{document}");
+    assert!(
+        document.contains("<td class=\"fail\">50 mm: load exceeded")
+            || document.contains("class=\"fail\">load exceeded"),
+        "{document}"
+    );
     let ranked = ["rank", "--robots", KUKA, "--task", "A:0.5", "--force-n", "3000", "--tolerance-mm", "50"];
     let cell = &json(&ranked)["rows"][0]["cells"][0];
     assert_eq!((&cell["pass"], &cell["verdict"]), (&true.into(), &"load exceeded".into()));

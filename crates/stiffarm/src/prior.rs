@@ -133,13 +133,14 @@ pub fn by_size(robot: &Robot) -> Result<([f64; 6], Scatter), NoPrior> {
     Ok(of_size(payload, reach))
 }
 
-/// Which drive, from 0, differs most from those of robots of this payload and reach, and how many times as compliant it is; `None` where the size
-/// is not known, or every drive is rigid.
-pub fn most_unlike(robot: &Robot) -> Option<(usize, f64)> {
+/// How many times as compliant as those of robots of this payload and reach the drives are, in the geometric mean over those that give way; `None`
+/// where the size is not known, or every drive is rigid.
+pub fn against_size(robot: &Robot) -> Option<f64> {
     let (payload, reach) = size(robot).ok()?;
     let (usual, _) = of_size(payload, reach);
     let ratios = robot.drive_compliance().into_iter().flatten().zip(usual).map(|(own, usual)| own / usual);
-    ratios.enumerate().filter(|(_, ratio)| *ratio != 0.0).max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs()))
+    let logarithms: Vec<f64> = ratios.filter(|ratio| *ratio != 0.0).map(f64::ln).collect();
+    (!logarithms.is_empty()).then(|| (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp())
 }
 
 /// Payload, kg, and reach, m.

@@ -117,7 +117,11 @@ fn any_arm_in_any_frames_and_any_zero_pose_is_recovered_from_its_urdf() {
         let text = urdf(&arm, &mut rng);
         let imported = plain(&text).unwrap_or_else(|error| panic!("case {case}: {error}\n{arm:?}\n{text}"));
         let found = geometry(&imported);
-        for (found, expected) in lengths(found).into_iter().zip(lengths(&arm)) {
+        // Of a shoulder above axis 1 either side may be called forwards: the same arm, its lengths aside with the other sign.
+        let side = if arm.a1 == 0.0 && (found.a2 * arm.a2 < 0.0 || found.b * arm.b < 0.0) { -1.0 } else { 1.0 };
+        let aside = [side, side, side, 1.0, 1.0, 1.0, 1.0];
+        let expected = lengths(&arm).into_iter().zip(aside).map(|(length, side)| length * side);
+        for (found, expected) in lengths(found).into_iter().zip(expected) {
             assert!((found - expected).abs() < 1e-9, "case {case}: {found} {expected}\n{arm:?}\n{found:?}");
         }
         for _ in 0..50 {
@@ -211,11 +215,21 @@ fn an_arm_that_faces_sideways_or_backwards_at_zero_keeps_its_lengths() {
         let planes = [&turned, &drawn].map(|one| one.robot.arm_plane().unwrap());
         assert!((planes[0].arm.l3 - planes[1].arm.l3).abs() < 1e-9);
     }
-    // A shoulder above axis 1 says nothing of it; then the base's x axis does.
-    let above = replaced(EXAMPLE, r#"<origin xyz="0.3 0 0.2"/>"#, r#"<origin xyz="0 0 0.2"/>"#);
+    // A shoulder above axis 1 says nothing of it; then joint 2 does, which turns from -65 to 85 deg.
     let first = r#"<origin xyz="0 0 0.4" rpy="0 0 3.141592653589793"/>"#;
-    let above = plain(&replaced(&above, r#"<origin xyz="0 0 0.4"/>"#, first)).unwrap();
-    assert_eq!(lengths(geometry(&above))[..2], [0.0, 0.15]);
+    for shoulder in ["0", "0.008"] {
+        let above = replaced(EXAMPLE, r#"<origin xyz="0.3 0 0.2"/>"#, &format!(r#"<origin xyz="{shoulder} 0 0.2"/>"#));
+        let turned = plain(&replaced(&above, r#"<origin xyz="0 0 0.4"/>"#, first)).unwrap();
+        for (found, expected) in lengths(geometry(&turned)).into_iter().zip(lengths(geometry(&plain(&above).unwrap())))
+        {
+            assert!((found - expected).abs() < 1e-9, "{shoulder}: {found} {expected}");
+        }
+        // And where that turns as far to either side, the base's x axis.
+        let limit = r#"lower="-1.1345" upper="1.4835""#;
+        let even =
+            replaced(&replaced(&above, limit, r#"lower="-1.4" upper="1.4""#), r#"<origin xyz="0 0 0.4"/>"#, first);
+        assert!((geometry(&plain(&even).unwrap()).a2 - 0.15).abs() < 1e-9);
+    }
 }
 
 #[test]

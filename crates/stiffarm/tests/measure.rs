@@ -283,6 +283,8 @@ fn what_cannot_be_planned_is_refused_with_the_reason() {
     // A robot on a pedestal: the window says how deep the floor is.
     let [x, y, z] = [(0.5, 3.0), (-2.0, 2.0), (-1.0, -0.1)].map(|(from, to)| Interval::spanning(from, to));
     let below = plan(&robot, &Options { window: Some([x, y, z]), ..usual() }, Watch::nobody()).unwrap();
+    let open = [x, y, Interval::new(f64::NEG_INFINITY, -0.1).expect("in order")];
+    assert!(plan(&robot, &Options { window: Some(open), ..usual() }, Watch::nobody()).is_ok());
     let tips = below.runs.iter().map(|run| compliance(&robot, &run.q, &Pose::translation(0.0, 0.1, 0.25)).unwrap());
     assert!(tips.map(|at| at.tool.translation.vector.z).all(|height| (-1.0..=-0.1).contains(&height)));
     assert!(matches!(

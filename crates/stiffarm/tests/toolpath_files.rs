@@ -391,6 +391,9 @@ fn a_tool_that_has_cut_before_the_first_change_is_told_and_a_number_of_none_refu
         assumed.contains("T2 alone is taken for a change of tools, as the first M6 comes after it has cut (line 5)"),
         "{assumed}"
     );
+    // Another tool that is selected before the change has not cut.
+    let assumed = gcode(&cut.replace("M6\n", "T3\nM6\n")).unwrap().understood.assumed.concat();
+    assert!(assumed.contains("T2 alone is taken for a change of tools"), "{assumed}");
     for clean in
         [cut.replace("T2\n", "T2 M6\n"), cut.replace("M6\n", ""), cut.replace("G1 Z-3 F1000\nM6", "M6\nG1 Z-3 F1000")]
     {
@@ -414,7 +417,11 @@ fn places_after_tip_control_are_told_where_the_tool_is_still_tilted() {
         )
     };
     let assumed = |ends: &str| parse(&text(ends), Format::GCode, &head).unwrap().understood.assumed.concat();
-    assert!(assumed("-30.").contains("X Y Z are the tip in the part, as under G43.4 (line 5)"), "{}", assumed("-30."));
+    assert!(assumed("-30.").contains("X Y Z are the tip in the part, as under G43.4 (line 6)"), "{}", assumed("-30."));
+    // Nothing goes anywhere by X Y Z, or the tool is upright.
+    let ends = text("-30.").replace("G1 X20. Y0. Z0.\n", "");
+    let ended = parse(&ends, Format::GCode, &head).unwrap().understood.assumed.concat();
+    assert!(!ended.contains("as under G43.4") && !assumed("0.").contains("as under G43.4"), "{ended}");
 }
 
 #[test]

@@ -90,8 +90,7 @@ impl CuttingAnswer {
         let Self { file, process, force } = self;
         let mut lines: Vec<Line> = vec![line("process", file), line("law", self.law())];
         if let Some(material) = &process.material {
-            let unverified = if material.status == "unverified" { ", UNVERIFIED" } else { "" };
-            lines.push(line("material", format!("{}: {}{unverified}", material.name, material.about)));
+            lines.push(line("material", format!("{}: {}", material.name, material.about)));
             lines.push(line("", &material.source));
         }
         if let Some(milling) = self.milling() {

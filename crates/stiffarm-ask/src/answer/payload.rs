@@ -97,6 +97,7 @@ impl Wrist {
         let force = tip.map(|tip| about(tip, newtons));
         let of = match (weight, force) {
             (Some(_), Some(_)) => "of the tool's weight and the force",
+            (Some(_), None) if newtons == 0.0 => "of the tool's weight",
             (Some(_), None) => "of the tool's weight alone: the planar model has no tool tip",
             (None, Some(_)) => "of the force alone: the tool's weight is not given (--tool-mass-kg with --tool-com-mm)",
             (None, None) => return None,

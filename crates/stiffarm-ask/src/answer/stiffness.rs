@@ -4,7 +4,7 @@ use super::numbers::{digits, fixed};
 use super::{Record, field, uncertainty};
 use stiffarm::catalogue::microradians;
 use stiffarm::drive::{JointCompliance, Knowledge, Scatter};
-use stiffarm::prior::most_unlike;
+use stiffarm::prior::against_size;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 
 /// The name of the line that tells it.
@@ -20,7 +20,7 @@ pub fn stiffness(robot: &Robot) -> String {
     let is_planar = matches!(robot.arm, Arm::Planar(_));
     let is_uniform = urad.iter().all(|k| *k == urad[0]);
     let is_measured = robot.identified().is_some() || robot.scatter().is_some();
-    let shown: Vec<f64> = urad.iter().map(|k| if is_measured { digits(*k, 3) } else { *k }).collect();
+    let shown: Vec<f64> = urad.iter().map(|k| if is_measured { digits(*k, 3) } else { digits(*k, 6) }).collect();
     let values = if is_uniform { shown[0].to_string() } else { listed(&shown) };
     let drives = match (is_uniform, is_planar) {
         (_, true) => "the drives 2 and 3",
@@ -52,17 +52,17 @@ pub fn stiffness(robot: &Robot) -> String {
 
 /// That a stiffness which somebody has written is that of no robot as large, where it is so.
 fn doubt(robot: &Robot) -> Option<String> {
-    /// Measured drives of robots of one size lie within a factor of ten of each other.
+    /// Measured robots of one size lie within a factor of ten of each other; a unit is a thousand times another.
     const UNLIKE: f64 = 100.0;
     let is_written = matches!(
         robot.stiffness_source(),
         StiffnessSource::Given | StiffnessSource::File | StiffnessSource::Identified
     );
-    let (drive, ratio) = most_unlike(robot).filter(|_| is_written)?;
+    let ratio = against_size(robot).filter(|_| is_written)?;
     let (times, how) = if ratio < 1.0 { (1.0 / ratio, "stiff") } else { (ratio, "compliant") };
     (UNLIKE < times).then(|| {
-        let (drive, times) = (drive + 1, digits(times, 2));
-        format!("; DOUBTFUL: drive {drive} is {times} times as {how} as drives of robots of this payload and reach; is that the unit?")
+        let times = digits(times, 2);
+        format!("; DOUBTFUL: {times} times as {how} as drives of robots of this payload and reach; is that the unit?")
     })
 }
 
@@ -217,12 +217,14 @@ mod tests {
         assert_eq!(stiffness(&each), "given: 0.5, 1, 2, 3, 4, 0 urad/(N m) on the drives 1-6");
         // 2000 is what somebody types whose data sheet has kN m/rad.
         let doubtful = stiffness(&with_compliance(&robot, [2000.0; 6]).unwrap());
-        assert!(
-            doubtful.contains("; DOUBTFUL: drive 2 is ") && doubtful.contains(" times as compliant as"),
-            "{doubtful}"
-        );
+        assert!(doubtful.contains("; DOUBTFUL: ") && doubtful.contains(" times as compliant as"), "{doubtful}");
         let doubtful = stiffness(&with_compliance(&robot, [0.002; 6]).unwrap());
         assert!(doubtful.contains(" times as stiff as drives of robots of this payload"), "{doubtful}");
+        // What is asked of one drive, or stated of a small robot in round numbers, is no other unit.
+        let rigid_wrist = stiffness(&with_compliance(&robot, [0.5, 0.5, 0.5, 0.001, 0.001, 0.001]).unwrap());
+        let small = stiffarm::catalogue::find("IRB 120-3/0.58").unwrap().robot();
+        let round = stiffness(&with_compliance(&small, [1.0; 6]).unwrap());
+        assert!(!rigid_wrist.contains("DOUBTFUL") && !round.contains("DOUBTFUL"), "{rigid_wrist} {round}");
         let filed = Robot { stiffness_is_assumed: false, ..robot.clone() };
         assert_eq!(stiffness(&filed), "1 urad/(N m) on every drive, from the robot file");
         let planar = |more: &str| {

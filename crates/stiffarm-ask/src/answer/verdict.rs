@@ -18,6 +18,9 @@ pub const ON_TOP: [&str; 4] = [
     "Cutter: solid carbide of 10 mm that stands out 40 mm deflects by 0.02 mm under 300 N (cantilever, 600 GPa), and its holder adds to that.",
 ];
 
+/// Between what bars an answer and its deflection.
+const BY_DEFLECTION: &str = "; by the deflection alone: ";
+
 /// Why an answer is no, whatever the deflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Barred {
@@ -41,9 +44,13 @@ impl Barred {
         }
     }
 
-    /// The one with which a verdict begins.
+    /// The one that a text says: as a verdict, or loud beside a number.
     pub(super) fn in_text(text: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|barred| text.starts_with(barred.word()))
+        let says = |barred: &Self| {
+            let word = barred.word();
+            text == word || text.contains(&format!("{word}{BY_DEFLECTION}")) || text.contains(&word.to_uppercase())
+        };
+        Self::ALL.into_iter().find(says)
     }
 }
 
@@ -103,7 +110,8 @@ impl Verdict {
     /// The word, and how likely it is to be held: `pass, not sure (P = 84 %)`. Below 50 % it is more likely missed, and that is said.
     pub fn in_words(self) -> String {
         if let Some(barred) = self.barred {
-            return format!("{}; by the deflection alone: {}", barred.word(), Self { barred: None, ..self }.in_words());
+            let of_deflection = Self { barred: None, ..self }.in_words();
+            return format!("{}{BY_DEFLECTION}{of_deflection}", barred.word());
         }
         match self.probability {
             Some(probability) => {
@@ -173,7 +181,9 @@ mod tests {
         assert_eq!((verdict.word(), verdict.short().as_str()), ("load exceeded", "LOAD EXCEEDED"));
         assert_eq!(verdict.in_words(), "load exceeded; by the deflection alone: pass (P = 97 %)");
         assert_eq!(Barred::in_text(&verdict.in_words()), Some(Barred::Overloaded));
-        assert_eq!(Barred::in_text("pass (P = 97 %)"), None);
+        let judged = format!("20 mm: {}, margin 1.2 mm", verdict.in_words());
+        assert_eq!([judged.as_str(), "0.102 LOAD EXCEEDED"].map(Barred::in_text), [Some(Barred::Overloaded); 2]);
+        assert_eq!(["pass (P = 97 %)", "Chatter: robot modes calm"].map(Barred::in_text), [None; 2]);
     }
 
     /// By hand: 1 arc minute is 1/60 deg; a cantilever bends by F L^3 / (3 E I), with I = pi d^4 / 64.

@@ -164,7 +164,7 @@ pub fn point(text: &str) -> Result<[f64; 3], String> {
     let expected = || "expected x,y,z in mm from the flange centre, each from -10000 to 10000".to_owned();
     let numbers = text.split(',').map(|part| number(part, -10_000.0, 10_000.0, "").map_err(|_| expected()));
     let mm: [f64; 3] = numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?;
-    in_millimetres(&mm, "is the flange centre, 0,0,0")?;
+    in_millimetres(&mm, "is at the flange centre: 0,0,0")?;
     Ok(mm.map(|mm| mm / 1e3))
 }
 
@@ -538,7 +538,7 @@ mod tests {
         }
         assert!(spindle("spindle:0.25@90").unwrap_err().contains("0.25 m would be 250"));
         let why = point("0.0069,0.2453,0.3193").unwrap_err();
-        assert!(why.ends_with("(0.3193 mm is the flange centre, 0,0,0; 0.3193 m would be 319.3)"), "{why}");
+        assert!(why.ends_with("(0.3193 mm is at the flange centre: 0,0,0; 0.3193 m would be 319.3)"), "{why}");
         assert!(marker("a=0.1,0,0.2").is_err() && marker("a=0,0,0").is_ok() && point("0,0.2,250").is_ok());
         assert!(tool("0,0,0").is_ok() && tool("0,0.2,250").is_ok() && tool("0,0,5").is_ok());
     }

@@ -1661,9 +1661,10 @@ class PlacedInRanking(_Pass):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2062,9 +2063,10 @@ class PathRankingRow(_Pass):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2352,9 +2354,10 @@ class Placed(_Pass):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2582,9 +2585,10 @@ class CompensatedPath(TypedDict):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2645,7 +2649,8 @@ class MilledDict(_Pass):
     """The toolpath as it was asked for."""
 
     only_tool: int | None
-    """The number of the only tool that mills; null where all of the path is milled."""
+    """The number of the only tool that mills, of several; null where all of the path is milled, and in
+    `by_tool`."""
 
     force: str
     """Where the force on the tool comes from."""
@@ -2807,9 +2812,10 @@ class MilledDict(_Pass):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -2870,7 +2876,8 @@ class MilledWithTool(_Pass):
     """The toolpath as it was asked for."""
 
     only_tool: int | None
-    """The number of the only tool that mills; null where all of the path is milled."""
+    """The number of the only tool that mills, of several; null where all of the path is milled, and in
+    `by_tool`."""
 
     force: str
     """Where the force on the tool comes from."""
@@ -3032,9 +3039,10 @@ class MilledWithTool(_Pass):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an
@@ -3107,9 +3115,10 @@ class MilledByToolDict(_Pass):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an

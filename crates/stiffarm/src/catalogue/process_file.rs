@@ -242,7 +242,7 @@ fn linear(table: &mut Table) -> Option<Edge> {
 
 fn kienzle(table: &mut Table) -> Option<Edge> {
     let (specific, exponent) =
-        (table.number("kc11_n_per_mm2", Quantity { min: 1.0, ..SPECIFIC }), table.number("mc", EXPONENT));
+        (table.number("kc11_n_per_mm2", Quantity { min: 5.0, ..SPECIFIC }), table.number("mc", EXPONENT));
     let ratios = [table.number("radial_ratio", RATIO), table.number("axial_ratio", RATIO)];
     match (specific, exponent, ratios) {
         (Some(specific), Some(exponent), [Some(radial), Some(axial)]) => {

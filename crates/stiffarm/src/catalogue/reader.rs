@@ -55,6 +55,7 @@ impl Quantity {
         let Self { unit, min, max, suspect } = self;
         if let Some((threshold, factor, other)) = suspect
             && x != 0.0
+            && (0.0 < x || min < 0.0)
             && x.abs() < threshold
         {
             let meant = format!("{:.6}", x * factor);

@@ -5,6 +5,9 @@ use crate::robot::{Arm, Robot};
 /// By more than this, m, a reach that is published and one that lengths and limits give are not the same, rounded.
 const REACH_MAY_DIFFER: f64 = 0.01;
 
+/// By more than this part of the stretched arm it is that of another arm, or an angle or a length is wrong.
+const REACH_IS_ANOTHER: f64 = 0.15;
+
 /// Offsets of real arms are rarely as short as this, m, and lengths in metres always are.
 const SHORT: f64 = 5e-3;
 
@@ -21,7 +24,10 @@ const PAYLOAD: (f64, f64) = (1.0, 1.2);
 pub fn warnings(robot: &Robot) -> Vec<String> {
     let missing = robot.payload_kg.is_none();
     let missing = missing.then(|| "payload_kg is missing: no choice by payload will find this robot".to_owned());
-    missing.into_iter().chain(doubts(robot)).collect()
+    let doubts = doubts(robot);
+    // What is told already is not told twice.
+    let reach = reach_doubt(robot, REACH_MAY_DIFFER).filter(|reach| !doubts.contains(reach));
+    missing.into_iter().chain(doubts).chain(reach).collect()
 }
 
 /// What of these a number may mean that is wrong: it is said beside every answer that rests on the file.
@@ -62,8 +68,15 @@ pub fn doubts(robot: &Robot) -> Vec<String> {
             warnings.push(format!("{name}_mm is {mm} mm: is that the unit? if it is in m, write {}", mm * 1e3));
         }
     }
-    warnings.extend(robot.reach.and_then(|reach| match robot.reach_ahead() {
-        Ok(ahead) if (reach - ahead).abs() <= REACH_MAY_DIFFER => None,
+    warnings.extend(reach_doubt(robot, REACH_IS_ANOTHER * robot.stretch()));
+    warnings
+}
+
+/// A reach that is stated and the one that lengths and limits give, where they differ by more than so many metres.
+fn reach_doubt(robot: &Robot, most: f64) -> Option<String> {
+    let reach = robot.reach?;
+    match robot.reach_ahead() {
+        Ok(ahead) if (reach - ahead).abs() <= most => None,
         Ok(ahead) => {
             let (off, stretch) = (1e3 * (ahead - reach), robot.stretch());
             Some(format!(
@@ -73,8 +86,7 @@ pub fn doubts(robot: &Robot) -> Vec<String> {
             ))
         }
         Err(error) => Some(format!("reach_m cannot be compared: {error}")),
-    }));
-    warnings
+    }
 }
 
 #[cfg(test)]

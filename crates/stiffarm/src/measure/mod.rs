@@ -297,10 +297,14 @@ pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) 
 }
 
 impl Options {
-    /// How high the floor is, from the base, m: a window that goes deeper says that it is as deep.
-    fn floor(&self) -> f64 {
-        let deepest = self.window.as_ref().map(|[_, _, z]| z.min()).filter(|z| z.is_finite());
-        deepest.map_or(0.0, |z| z.min(0.0))
+    /// How high the floor is, from the base, m: a window that goes deeper says that it is as deep; of one that is all below the base and open
+    /// there nobody knows.
+    fn floor(&self) -> Option<f64> {
+        match self.window.as_ref().map(|[_, _, z]| *z) {
+            Some(z) if z.min().is_finite() => Some(z.min().min(0.0)),
+            Some(z) if z.max() <= 0.0 => None,
+            _ => Some(0.0),
+        }
     }
 
     /// How often a posture may be run, and what it then tells.
@@ -517,7 +521,7 @@ fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, M
     let at_hand = |at: &Vector3<f64>| {
         let point = flange * nalgebra::Point3::from(*at);
         let inside = |window: &[Interval; 3]| (0..3).all(|axis| window[axis].contains(point[axis], 0.0));
-        floor <= point.z && options.window.as_ref().is_none_or(inside)
+        floor.is_none_or(|floor| floor <= point.z) && options.window.as_ref().is_none_or(inside)
     };
     // Where nothing is loaded, nothing has a load point.
     let loaded = (!options.ways.is_empty()).then_some(&options.load_at);
@@ -525,8 +529,7 @@ fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, M
         return Ok(false);
     }
     let thick = ThickArm::new(robot, &Pose::identity(), None).ok_or_else(planar)?;
-    let touches =
-        thick.clearance(&[theta], &Surroundings::above(Some(floor))).is_some_and(|found| found.distance < 0.0);
+    let touches = thick.clearance(&[theta], &Surroundings::above(floor)).is_some_and(|found| found.distance < 0.0);
     let sees = |instrument: &Instrument| instrument.sees(&thick, (&theta, &flange), &options.markers);
     Ok(!touches && options.instrument.as_ref().is_none_or(sees))
 }

@@ -75,7 +75,9 @@ impl MillAnswer {
                 format!("The {proved}; other rolls may hold it.")
             });
         }
-        sentences.push(scattered(verdict, self.spread(), &self.robot));
+        let scatter = scattered(verdict, self.spread(), &self.robot);
+        let without = if self.compensation.is_some() { "Without compensation: " } else { "" };
+        sentences.push(format!("{without}{scatter}"));
         if self.compensated_verdict().is_none() {
             sentences.extend(self.left());
         }
@@ -121,13 +123,21 @@ impl ByToolAnswer {
             Some((section, error)) => {
                 let (worst, tool) = (mm(error), section.tool);
                 let text =
-                    format!("The tools of {name} are pushed off by {worst} at worst along {}, by T{tool}", self.path);
-                match self.tolerance_mm.zip(self.compensated_verdict().or_else(|| self.verdict())) {
-                    None => (computed, format!("{text}.")),
-                    Some((tolerance, verdict)) => {
-                        let compensated = if self.compensated_verdict().is_some() { ", compensated" } else { "" };
-                        let words = verdict.in_words();
-                        (judged(verdict), format!("{text}; tolerance {tolerance} mm, all tools{compensated}: {words}."))
+                    format!("The tools of {name} are pushed off by {worst} at worst along {}, T{tool}", self.path);
+                let of_all = |tolerance: f64, verdict: Verdict| {
+                    format!("tolerance {tolerance} mm, all tools: {}", verdict.in_words())
+                };
+                let judged_of = |verdict: Option<Verdict>| self.tolerance_mm.zip(verdict);
+                match (judged_of(self.compensated_verdict()), judged_of(self.verdict())) {
+                    (None, None) => (computed, format!("{text}.")),
+                    (None, Some((tolerance, verdict))) => {
+                        (judged(verdict), format!("{text}; {}.", of_all(tolerance, verdict)))
+                    }
+                    (Some((tolerance, left)), without) => {
+                        let without = without
+                            .map_or_else(String::new, |(_, verdict)| format!("; {}", of_all(tolerance, verdict)));
+                        let compensated = of_all(tolerance, left);
+                        (judged(left), format!("Compensated, {compensated}. Without compensation: {text}{without}."))
                     }
                 }
             }

@@ -37,7 +37,7 @@ fields! {
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
     WORST_TOOL: "worst_tool", Kind::Count, "The tool with the largest error, of a path that is milled with several.";
     BY_TOOL: "by_tool", Kind::Objects, "What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its number and its tip.";
-    ONLY_TOOL: "only_tool", Kind::Count, "The number of the only tool that mills; null where all of the path is milled.";
+    ONLY_TOOL: "only_tool", Kind::Count, "The number of the only tool that mills, of several; null where all of the path is milled, and in `by_tool`.";
     TOOL_NUMBER: "tool_number", Kind::Count, "The number of the tool in the file of the path.";
     WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
     FED_BACK: "fed_back", Kind::Object, "What becomes of the largest error as width and depth of the cut change with the displacement; null where no cut is known.";

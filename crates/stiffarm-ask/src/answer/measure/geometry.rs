@@ -144,10 +144,7 @@ impl GeometryAnswer {
         if self.options.work.is_empty() || apart < 1e-3 {
             return String::new();
         }
-        format!(
-            "; the tool tip, {} mm from it, errs otherwise: name it as the first --marker-mm",
-            fixed(apart * 1e3, 0)
-        )
+        format!("; the tool tip, {} mm from it, errs otherwise", fixed(apart * 1e3, 0))
     }
 
     /// One row a posture.

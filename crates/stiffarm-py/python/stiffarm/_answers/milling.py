@@ -187,7 +187,8 @@ class Milled(Table[types.MilledDict]):
     """The toolpath as it was asked for."""
 
     only_tool: int | None
-    """The number of the only tool that mills; null where all of the path is milled."""
+    """The number of the only tool that mills, of several; null where all of the path is milled, and in
+    `by_tool`."""
 
     force: str
     """Where the force on the tool comes from."""
@@ -349,9 +350,10 @@ class Milled(Table[types.MilledDict]):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an

@@ -251,9 +251,10 @@ class Placement(Table[types.PlacementDict]):
     verdict: str | None
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
     kept so (of `mill` also where the deflection is within the tolerance and beyond it together with what the
-    geometry of an arm errs that was not calibrated; in the plane also where the arm may collide), else fail;
-    of the elastic deflection of the drives under the mean force and of nothing else. Where the answer is no
-    whatever the deflection it is what says so: collision, load exceeded, or of `mill` chatter."""
+    geometry of an arm errs that was not calibrated, and where it is not decided whether the cuts swing; in
+    the plane also where the arm may collide), else fail; of the elastic deflection of the drives under the
+    mean force and of nothing else. Where the answer is no whatever the deflection it is what says so:
+    collision, load exceeded, or of `mill` chatter."""
 
     probability: float | None
     """Probability that the tolerance is kept, over draws of the drive stiffness and of the residual of an

@@ -29,6 +29,9 @@ pub(super) struct Recovered {
     pub(super) left: Vec<String>,
 }
 
+/// rad: an upper arm that leans by less in the middle of its range turns as far to either side.
+const UPRIGHT: f64 = 0.1;
+
 /// The arm plane at joint zero: forwards, across (the positive bend), up.
 struct Frame {
     x: Vector3<f64>,
@@ -59,7 +62,7 @@ pub(super) fn recover(chain: &Chain, tip: Option<&str>, log: &Log) -> Option<Rec
     }
     let foot = -axes[0].aside(&Point3::origin());
     let foot = Vector3::new(foot.x, foot.y, 0.0);
-    let frame = frame(&axes, &foot);
+    let frame = frame(&axes, &foot, chain.joints[1].limit.middle());
     let (mut geometry, theta) = arm(&axes, &frame, &foot, &wrist).or_else(|| {
         refuse(4, "the wrist centre lies beside the elbow; expected a forearm along axis 4".into());
         None
@@ -164,14 +167,19 @@ fn passing(axis: &Axis, other: &Axis) -> (f64, f64) {
     (from.dot(&across).abs(), from.dot(&ahead) / ahead.norm_squared())
 }
 
-/// Forwards is where axis 2 stands before axis 1, as of every arm, however its base frame is turned; where it stands above it, where the
-/// base's x axis points.
-fn frame(axes: &[Axis; 6], foot: &Vector3<f64>) -> Frame {
+/// Forwards is where axis 2 stands before axis 1, as of every arm, however its base frame is turned; where it stands above it, where the upper
+/// arm leans in the middle of its range; where that is upright, where the base's x axis points.
+fn frame(axes: &[Axis; 6], foot: &Vector3<f64>, middle_2: f64) -> Frame {
     let across = axes[1].along;
     let forwards = across.cross(&Vector3::z()).normalize();
     let shoulder = (axes[1].through.coords - foot).dot(&forwards);
+    let upper = axes[2].through - axes[1].through;
+    let leaning = UnitQuaternion::from_scaled_axis(across * middle_2) * upper;
+    let lean = leaning.dot(&forwards).atan2(leaning.z);
     let says = if SHOULDER < shoulder.abs() {
         shoulder
+    } else if UPRIGHT < lean.abs() && lean.abs() < PI - UPRIGHT {
+        lean
     } else if 0.1 < forwards.x.abs() {
         forwards.x
     } else {

@@ -82,6 +82,11 @@ pub(super) struct Limit {
 }
 
 impl Limit {
+    /// The middle of the range, as far as it has ends.
+    pub(super) fn middle(&self) -> f64 {
+        f64::midpoint(self.lower.unwrap_or(0.0), self.upper.unwrap_or(0.0))
+    }
+
     /// The safety controller leaves less than the limits do.
     pub(super) fn is_softer(&self) -> bool {
         let [lower, upper] = self.soft;

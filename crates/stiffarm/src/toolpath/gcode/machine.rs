@@ -36,8 +36,8 @@ pub(super) struct Machine<'a> {
     pub(super) has_moved: bool,
     /// The number of the tool in the spindle.
     pub(super) tool: Option<u32>,
-    /// It has moved at a feed rate.
-    pub(super) has_cut: bool,
+    /// The number of the tool that has moved at a feed rate last.
+    pub(super) cut_with: Option<u32>,
     /// Turns of the spindle a minute, more than 0.
     pub(super) spindle: Option<f64>,
     /// Which way it turns, once that is said.
@@ -56,7 +56,7 @@ impl<'a> Machine<'a> {
             apart: 0,
             has_moved: false,
             tool: None,
-            has_cut: false,
+            cut_with: None,
             spindle: None,
             is_clockwise: None,
             sink,
@@ -195,7 +195,9 @@ impl<'a> Machine<'a> {
         self.tip = to.tip;
         self.axis = to.axis;
         self.has_moved = true;
-        self.has_cut |= kind == MoveKind::Feed;
+        if kind == MoveKind::Feed {
+            self.cut_with = self.tool;
+        }
         Ok(())
     }
 }

@@ -69,6 +69,8 @@ pub(super) struct Reader<'a> {
     axis: Vector3<f64>,
     has_vectors: bool,
     has_tip_control: bool,
+    /// The tip was controlled before, and is no longer.
+    has_ended_tip_control: bool,
     angles: [f64; 3],
     letters: [Seen; 26],
     codes: [Vec<Seen>; 2],
@@ -144,6 +146,7 @@ impl<'a> Reader<'a> {
             axis: Vector3::z(),
             has_vectors: false,
             has_tip_control: false,
+            has_ended_tip_control: false,
             angles: [0.0; 3],
             letters: [Seen::default(); 26],
             codes: [Vec::new(), Vec::new()],

@@ -58,6 +58,9 @@ fn take_look_ahead(code: u16, block: &Block) -> Result<(), Wrong> {
     }
     Ok(())
 }
+/// What places mean without tip control, where the tool is tilted.
+pub(super) const TIP: &str = "X Y Z are the tip in the part, as under G43.4";
+
 /// The code that changes tools, in tenths.
 const CHANGE: u16 = 60;
 
@@ -71,9 +74,7 @@ impl Reader<'_> {
             self.selected = Some(number as u32);
         }
         let has_change = block.m.all().contains(&CHANGE);
-        if let (Some(tool), true, false) = (self.machine.tool, has_change, self.changes_by_code)
-            && self.machine.has_cut
-        {
+        if let (Some(tool), true, false) = (self.machine.cut_with, has_change, self.changes_by_code) {
             let what = format!("T{tool} alone is taken for a change of tools, as the first M6 comes after it has cut");
             self.machine.notes.assume(line, &what);
         }
@@ -81,7 +82,6 @@ impl Reader<'_> {
         let is_changed = if self.changes_by_code { has_change } else { block.has(b'T') };
         if is_changed {
             self.machine.tool = self.selected;
-            self.machine.has_cut = false;
         }
         Ok(())
     }
@@ -179,9 +179,7 @@ impl Reader<'_> {
             Meaning::Vectors(is_on) => {
                 self.has_vectors = is_on;
                 self.has_tip_control = is_on;
-                if !is_on {
-                    self.assume_tip(line);
-                }
+                self.has_ended_tip_control |= !is_on;
                 is_modelled = is_on;
             }
             Meaning::TipControl => self.has_tip_control = true,
@@ -366,18 +364,11 @@ impl Reader<'_> {
         }
         if has_turned {
             self.axis = self.turned_axis();
-            if !self.has_tip_control {
-                self.assume_tip(line);
+            if !self.has_tip_control && self.angles.iter().any(|angle| *angle != 0.0) {
+                self.machine.notes.assume(line, TIP);
             }
         }
         Ok(())
-    }
-
-    /// Places without tip control, where the tool is tilted.
-    fn assume_tip(&mut self, line: usize) {
-        if self.angles.iter().any(|angle| *angle != 0.0) {
-            self.machine.notes.assume(line, "X Y Z are the tip in the part, as under G43.4");
-        }
     }
 
     /// The tool axis of the angles A, B and C.

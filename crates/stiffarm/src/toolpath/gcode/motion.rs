@@ -7,6 +7,7 @@ use super::super::moves::{Course, MoveKind, ToolPose};
 use super::arcs::Asked;
 use super::codes::{FeedMode, Meaning, Motion, named};
 use super::cycles::Hole;
+use super::modal::TIP;
 use super::origins::System;
 use super::words::Block;
 use super::{Once, Reader};
@@ -56,6 +57,9 @@ impl Reader<'_> {
         let has_offsets = block.has_any(b"IJK");
         if !has_position && !has_offsets && !turns && !(block.has(b'R') && matches!(self.motion, Motion::Cycle(_))) {
             return if block.has(b'R') { Err(Wrong::new("R", "it belongs to no arc and no cycle")) } else { Ok(()) };
+        }
+        if has_position && self.axis != Vector3::z() && self.has_ended_tip_control && !self.has_tip_control {
+            self.machine.notes.assume(line, TIP);
         }
         if let Some(elsewhere) = self.elsewhere {
             return self.move_elsewhere(block, elsewhere, line);
