@@ -4,6 +4,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3, Vector6};
 use stiffarm::calibration::{ControllerModel, Errors};
 use stiffarm::catalogue::find;
 use stiffarm::chain::TrueArm;
+use stiffarm::mass::ToolWeight;
 use stiffarm::mill::{
     Acting, ErrorPart, Followed, MillError, MillOptions, Milled, OnTrueArm, RollMode, Stand, Station, TrueOptions,
     WorkFrame, cutting_axes, mill, on_true_arm, stations,
@@ -54,7 +55,7 @@ fn asked(
     (work_frame, is_compensated): (WorkFrame, bool),
 ) -> Result<(Vec<Station>, Followed, OnTrueArm), MillError> {
     let (stations, found) = followed(robot, acting);
-    let options = TrueOptions { work_frame, part: ErrorPart::Total, is_compensated };
+    let options = TrueOptions { work_frame, part: ErrorPart::Total, is_compensated, held: None };
     let on = on_true_arm(robot, &stand(), (&stations, &found.samples), &options, Watch::nobody())?;
     Ok((stations, found, on.unwrap()))
 }
@@ -91,6 +92,42 @@ fn the_loaded_tip_of_the_true_arm_is_on_the_path() {
     }
 }
 
+/// A tool that was not there when the arm was calibrated bends its drives by `A k A^T tau`, with `tau` by how the height of its centre changes: the tip
+/// stands on the path at the joints that are commanded for it, and a quarter of a millimetre or more beside it at those for an arm without it.
+#[test]
+fn the_weight_of_the_tool_is_taken_out_of_a_calibrated_arm() {
+    let robot = robot(&errors(1, [0.6e-3, 0.0, 0.0]), None);
+    let Arm::SixAxis { geometry, limits, drives } = &robot.arm else { panic!("six axes") };
+    let arm = TrueArm::of(&robot).unwrap();
+    let (stations, found) = followed(&robot, None);
+    let tool = ToolWeight { mass: 35.0, centre: Some(Vector3::new(0.1, 0.02, 0.15)) };
+    let on = |held: Option<ToolWeight>| {
+        let options =
+            TrueOptions { work_frame: WorkFrame::Measured, part: ErrorPart::Total, is_compensated: false, held };
+        on_true_arm(&robot, &stand(), (&stations, &found.samples), &options, Watch::nobody()).unwrap().unwrap()
+    };
+    let height = |theta: &[f64; 6]| (geometry.forward(theta) * Point3::from(tool.centre.unwrap())).z;
+    let off = |on: &OnTrueArm, i: usize| {
+        let theta = geometry.model_angles(&on.joints[i], limits.third_axis);
+        let torques = Vector6::from_fn(|joint, _| {
+            let at = |step: f64| height(&std::array::from_fn(|j| theta[j] + if j == joint { step } else { 0.0 }));
+            -35.0 * 9.806_65 * (at(1e-5) - at(-1e-5)) / 2e-5
+        });
+        let a = drives.transmission.0;
+        let turned = a * (a.transpose() * torques).component_mul(&Vector6::from(drives.compliance.0));
+        let q = geometry.reported(&std::array::from_fn(|j| theta[j] + turned[j]), limits.third_axis);
+        let tip = (arm.flange(&q) * stand().flange_from_tool).translation.vector;
+        (tip - (on.base_from_part * Point3::from(stations[i].sample.pose.tip)).coords).norm()
+    };
+    let (with, without) = (on(Some(tool)), on(None));
+    for i in 0..stations.len() {
+        assert!(off(&with, i) < 1e-8 && 2.5e-4 < off(&without, i), "{i}: {} {}", off(&with, i), off(&without, i));
+    }
+    assert!(with.errors.by_geometry < 1e-9 && without.errors.by_geometry < 1e-9);
+    // Where nobody knows its centre nothing is taken out.
+    assert_eq!(on(Some(ToolWeight { centre: None, ..tool })), without);
+}
+
 #[test]
 fn what_is_corrected_alone_leaves_the_other_part() {
     let robot = robot(&errors(2, [0.6e-3, 0.5e-3, 0.1e-3]), None);
@@ -103,7 +140,8 @@ fn what_is_corrected_alone_leaves_the_other_part() {
     for station in &mut stations {
         station.acting = None;
     }
-    let options = TrueOptions { work_frame: WorkFrame::Measured, part: ErrorPart::Total, is_compensated: false };
+    let options =
+        TrueOptions { work_frame: WorkFrame::Measured, part: ErrorPart::Total, is_compensated: false, held: None };
     let path = (&stations[..], &found.samples[..]);
     let unloaded = on_true_arm(&robot, &stand(), path, &options, Watch::nobody()).unwrap().unwrap();
     assert!((stiffness / unloaded.errors.uncorrected - 1.0).abs() < 0.01, "{:?} {:?}", on.errors, unloaded.errors);
@@ -156,7 +194,8 @@ fn a_force_that_may_point_anywhere_is_not_compensated_and_a_controller_that_corr
 fn an_arm_that_was_not_calibrated_is_left_as_it_is() {
     let robot = find("KR 210 R2700 extra").unwrap().robot();
     let (stations, found) = followed(&robot, Some(KNOWN));
-    let options = TrueOptions { work_frame: WorkFrame::Touched, part: ErrorPart::Total, is_compensated: true };
+    let options =
+        TrueOptions { work_frame: WorkFrame::Touched, part: ErrorPart::Total, is_compensated: true, held: None };
     let on = on_true_arm(&robot, &stand(), (&stations, &found.samples), &options, Watch::nobody()).unwrap();
     assert_eq!(on, None);
 }

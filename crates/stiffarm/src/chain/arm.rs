@@ -3,7 +3,9 @@
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::frames::{FRAMES, Frames, Joint, Links, Placement, pose};
+use super::weighing::Held;
 use crate::calibration::{Errors, WEIGHT};
+use crate::mass::ToolWeight;
 use crate::robot::Robot;
 use crate::spatial::Pose;
 
@@ -17,6 +19,8 @@ pub struct TrueArm {
     links: Links,
     /// Parameters of weight and gears; empty where all are zero.
     yielding: Vec<f64>,
+    /// What hangs on the flange.
+    held: Option<Held>,
 }
 
 /// Flange and joint axes at some link angles, base frame.
@@ -42,6 +46,13 @@ impl Placed {
     }
 }
 
+/// A base stands upright: drive 1 has less than a hundredth of what weighs.
+pub fn is_upright(cell_from_base: &Pose) -> bool {
+    /// rad.
+    const LEVEL: f64 = 0.01;
+    (cell_from_base.rotation * Vector3::z()).angle(&Vector3::z()) <= LEVEL
+}
+
 impl TrueArm {
     /// Of a robot that was calibrated; `None` of one that stands as drawn, and of two links.
     pub fn of(robot: &Robot) -> Option<Self> {
@@ -56,16 +67,20 @@ impl TrueArm {
         let is_rigid = !frames.is_weighed() && yielding.iter().all(|parameter| *parameter == 0.0);
         let yielding = if is_rigid { Vec::new() } else { yielding.to_vec() };
         let links = frames.links(&parameters);
-        Some(Self { frames, links, yielding })
+        Some(Self { frames, links, yielding, held: None })
+    }
+
+    /// The same arm on an upright base with a tool that was not there when it was calibrated: its weight bends the drives of the robot. As it is where
+    /// nobody knows the centre of the tool.
+    #[must_use]
+    pub fn holding(self, robot: &Robot, tool: Option<&ToolWeight>) -> Self {
+        Self { held: tool.and_then(|tool| Held::of(robot, tool)), ..self }
     }
 
     /// The own weight was found on a base that stands so: upright, or nothing yields under it.
     pub fn stands_as_measured(&self, cell_from_base: &Pose) -> bool {
-        /// rad: of a base that leans less, drive 1 has a hundredth of the weight.
-        const LEVEL: f64 = 0.01;
         let has_terms = self.yielding.iter().take(WEIGHT).any(|parameter| *parameter != 0.0);
-        !has_terms && !self.frames.is_weighed()
-            || (cell_from_base.rotation * Vector3::z()).angle(&Vector3::z()) <= LEVEL
+        !has_terms && !self.frames.is_weighed() || is_upright(cell_from_base)
     }
 
     /// The flange in the base frame at the joint angles `q` that the robot reports, rad.
@@ -83,11 +98,16 @@ impl TrueArm {
 
     /// The link angles at model angles.
     pub(crate) fn link_angles(&self, theta: &[f64; 6]) -> [f64; 6] {
-        if self.yielding.is_empty() {
-            return *theta;
+        let mut psi = *theta;
+        if !self.yielding.is_empty() {
+            let more = self.frames.yielded(theta, &self.yielding);
+            psi = std::array::from_fn(|i| psi[i] + more[i]);
         }
-        let more = self.frames.yielded(theta, &self.yielding);
-        std::array::from_fn(|i| theta[i] + more[i])
+        if let Some(held) = &self.held {
+            let more = held.yields(&self.frames.geometry, theta);
+            psi = std::array::from_fn(|i| psi[i] + more[i]);
+        }
+        psi
     }
 
     /// The model angles at link angles: `theta = psi - d(theta)`, round by round, since `d` changes by some thousandths of what `theta` does;

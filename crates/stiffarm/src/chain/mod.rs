@@ -10,7 +10,7 @@ mod frames;
 mod inverse;
 mod weighing;
 
-pub use arm::TrueArm;
+pub use arm::{TrueArm, is_upright};
 pub(crate) use frames::{ALL, Chain, FRAMES, Frames};
 pub use inverse::TruePostures;
 pub(crate) use weighing::Weighing;

@@ -1,10 +1,10 @@
 //! How do the drives yield under the arm's own weight, where its masses are known?
 
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix6, Point3, Vector6};
 
-use crate::drive::{Architecture, GravityCompensator};
+use crate::drive::{Architecture, Drives, GravityCompensator};
 use crate::geometry::Geometry;
-use crate::mass::{Mass, gravity_torques, missing_for_weight};
+use crate::mass::{Carrier, Mass, RigidBody, ToolWeight, gravity_torques, missing_for_weight};
 use crate::robot::{Arm, Robot};
 
 /// What weighs, and how compliant the drives are that hold it.
@@ -32,14 +32,41 @@ impl Weighing {
     }
 }
 
+/// A tool that bends the drives by its weight, beside what the arm weighs itself.
+#[derive(Clone, Debug)]
+pub(super) struct Held {
+    mass: [Mass; 1],
+    drives: Drives,
+}
+
+impl Held {
+    /// At the flange of a robot; `None` where nobody knows its centre, and of two links.
+    pub(super) fn of(robot: &Robot, tool: &ToolWeight) -> Option<Self> {
+        let (Arm::SixAxis { geometry, drives, .. }, Some(centre)) = (&robot.arm, tool.centre) else { return None };
+        // As masses are stated: from the base at model zero.
+        let centre = (geometry.forward(&[0.0; 6]) * Point3::from(centre)).coords;
+        let mass = Mass { carrier: Carrier::Link(6), body: RigidBody::point(tool.mass, centre) };
+        Some(Self { mass: [mass], drives: drives.clone() })
+    }
+
+    /// How far it turns each joint where the base stands upright, rad, at model angles: `A k (A^T tau)`.
+    pub(super) fn yields(&self, geometry: &Geometry, theta: &[f64; 6]) -> Vector6<f64> {
+        let transmission = self.drives.transmission.0;
+        let torques = transmission.transpose() * gravity_torques(geometry, theta, &self.mass);
+        // A posture that a compensator does not hold is refused where it is loaded.
+        let compliance = self.drives.compliance_at(theta[1]).unwrap_or(self.drives.compliance.0);
+        transmission * torques.component_mul(&Vector6::from(compliance))
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Point3, Vector3};
+    use nalgebra::Vector3;
 
     use super::*;
     use crate::catalogue::find;
     use crate::drive::Transmission;
-    use crate::mass::{Carrier, GRAVITY, RigidBody};
+    use crate::mass::GRAVITY;
 
     /// By how much the height of a body of the forearm changes with each drive of a parallelogram: the forearm keeps its direction where drive 2 turns.
     #[test]

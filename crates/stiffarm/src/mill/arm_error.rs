@@ -156,7 +156,7 @@ mod tests {
                     source: "drawn".into(),
                 };
                 let mine = Robot { calibration: Some(Box::new(calibration)), ..robot.clone() };
-                let options = TrueOptions { work_frame, part, is_compensated: false };
+                let options = TrueOptions { work_frame, part, is_compensated: false, held: None };
                 let path = (&stations[..], &found.samples[..]);
                 let exact = on_true_arm(&mine, &stand, path, &options, Watch::nobody()).unwrap().unwrap();
                 let (linear, exact) = (looked.error(&draw), exact.errors.uncorrected);

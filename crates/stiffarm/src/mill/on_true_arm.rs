@@ -20,6 +20,7 @@ use crate::compliance::PostureError;
 use crate::drive::Drives;
 use crate::geometry::Geometry;
 use crate::limits::Limits;
+use crate::mass::ToolWeight;
 use crate::parallel;
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
@@ -95,6 +96,8 @@ pub struct TrueOptions {
     pub part: ErrorPart,
     /// The deflection is taken out, too.
     pub is_compensated: bool,
+    /// What hangs on the flange of an arm whose base stands upright, and was not there when it was calibrated.
+    pub held: Option<ToolWeight>,
 }
 
 /// The path on the arm that stands there; `None` of a robot that was not calibrated. The part stands where the controller has it.
@@ -111,7 +114,8 @@ pub fn on_true_arm(
     let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()).into());
     };
-    let Some(arm) = TrueArm::of(robot) else { return Ok(None) };
+    let Some(own) = TrueArm::of(robot) else { return Ok(None) };
+    let arm = own.clone().holding(robot, options.held.as_ref());
     let controller = robot.calibration.as_ref().and_then(|calibration| calibration.controller);
     let corrects_itself = controller == Some(ControllerModel::Calibrated);
     // A controller that knows the true arm has the work where it truly is.
@@ -120,7 +124,8 @@ pub fn on_true_arm(
         WorkFrame::Touched | WorkFrame::Measured => Vec::new(),
     };
     let truly = Stand { base_from_part: found_by_touch(&arm, stand, (stations, followed), &at_touch), ..*stand };
-    let setup = Setup { robot, arm: &arm, geometry, limits, drives, stand, truly: &truly, options, corrects_itself };
+    let setup =
+        Setup { robot, own: &own, arm: &arm, geometry, limits, drives, stand, truly: &truly, options, corrects_itself };
     let one = |i: usize| {
         watch.go_on()?;
         setup.commanded(&stations[i], &followed[i])
@@ -146,6 +151,8 @@ struct Commanded {
 
 struct Setup<'a> {
     robot: &'a Robot,
+    /// As it was calibrated, and with its tool.
+    own: &'a TrueArm,
     arm: &'a TrueArm,
     geometry: &'a Geometry,
     limits: &'a Limits,
@@ -170,17 +177,21 @@ impl Setup<'_> {
         let none = || MillError::Vanished { line: sample.line };
         let target = self.arm.link_angles_near(&flange, &self.arm.link_angles(&drawn)).ok_or_else(none)?;
         let without_load = self.arm.model_angles(&target).ok_or_else(none)?;
-        let with_load = match &wrench {
+        let turned = wrench.as_ref().map(|wrench| self.deflection(&target, wrench)).transpose()?;
+        let loaded = turned.map(|turned| std::array::from_fn(|i| target[i] - turned[i]));
+        let with_load = match &loaded {
             None => without_load,
-            Some(wrench) => {
-                let turned = self.deflection(&target, wrench)?;
-                self.arm.model_angles(&std::array::from_fn(|i| target[i] - turned[i])).ok_or_else(none)?
-            }
+            Some(loaded) => self.arm.model_angles(loaded).ok_or_else(none)?,
         };
         let theta = if self.options.is_compensated { with_load } else { without_load };
         let errors = if sample.is_cutting {
-            let drawn = if self.corrects_itself { without_load } else { drawn };
-            let stiff = if self.corrects_itself { with_load } else { self.by_stiffness(&drawn, wrench.as_ref())? };
+            // A controller that corrects the arm knows it as it was calibrated.
+            let by_itself = |psi: &[f64; 6]| self.own.model_angles(psi).ok_or_else(none);
+            let (drawn, stiff) = if self.corrects_itself {
+                (by_itself(&target)?, by_itself(loaded.as_ref().unwrap_or(&target))?)
+            } else {
+                (drawn, self.by_stiffness(&drawn, wrench.as_ref())?)
+            };
             Some(self.errors((station, pushed), wrench.as_ref(), [&drawn, &stiff, &without_load, &with_load])?)
         } else {
             None
@@ -190,7 +201,7 @@ impl Setup<'_> {
             let tool = stand.base_from_part.inverse() * flange * stand.flange_from_tool;
             ToolPose { tip: tool.translation.vector, axis: -(tool.rotation * Vector3::z()) }
         };
-        let truly = self.arm.placed(&self.arm.link_angles(&theta)).flange();
+        let truly = self.own.placed(&self.own.link_angles(&theta)).flange();
         let poses = [in_part(self.geometry.forward(&theta), self.stand), in_part(truly, self.truly)];
         Ok(Commanded { joints, poses, errors })
     }

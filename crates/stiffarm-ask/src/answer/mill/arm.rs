@@ -1,7 +1,7 @@
 //! How the geometry of the very arm enters a path: as it was calibrated, or as large as it is of arms that nobody has calibrated.
 
 use stiffarm::calibration::{Calibration, ControllerModel};
-use stiffarm::chain::TrueArm;
+use stiffarm::chain::{TrueArm, is_upright};
 use stiffarm::mill::{
     ArmErrors, DrawnError, MillError, OnTrueArm, Pushed, RollMode, Stand, Station, TrueOptions, WorkFrame, arm_error,
     on_true_arm,
@@ -137,6 +137,7 @@ impl MillAnswer {
                 "the calibration itself leaves",
                 format!("{} rms where it was not measured", mm(known.left_out)),
             ));
+            lines.push(line("weight of the tool", self.held()));
             lines.extend(beyond(found).map(|sentence| line("BEYOND LIMITS", sentence)));
         }
         lines.extend(self.drawn_error().map(|DrawnError { median, p95 }| {
@@ -149,6 +150,28 @@ impl MillAnswer {
             line("besides", text)
         }));
         lines
+    }
+
+    /// A calibrated arm bends further under its tool, and the weight of that is not counted.
+    pub(super) fn lacks_weight(&self) -> bool {
+        let is_counted = self.options.tool_weight.is_some_and(|weight| weight.centre.is_some()) && self.is_upright();
+        self.on_true_arm().is_some() && !is_counted
+    }
+
+    fn is_upright(&self) -> bool {
+        self.ground.cell.as_ref().is_none_or(|cell| is_upright(&cell.mount.cell_from_base))
+    }
+
+    /// Whether the weight of the tool bends the calibrated arm here.
+    fn held(&self) -> String {
+        match self.options.tool_weight {
+            Some(weight) if !self.lacks_weight() => {
+                format!("{} kg bend the drives beside what the arm was calibrated with: counted", weight.mass)
+            }
+            Some(_) if !self.is_upright() => "NOT COUNTED: the base does not stand upright".into(),
+            Some(_) => "NOT COUNTED: its centre is not given (--tool-com-mm)".into(),
+            None => "NOT COUNTED: not given (--tool-mass-kg, --tool-com-mm); it bends the drives beside what the arm was calibrated with".into(),
+        }
     }
 
     /// What a verdict is without: the geometry of an arm that was not calibrated, with its size here.

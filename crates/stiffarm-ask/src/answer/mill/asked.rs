@@ -11,6 +11,7 @@ use super::chatter::AskedChatter;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request, opt};
 use stiffarm::catalogue::ProcessFile;
+use stiffarm::chain::is_upright;
 use stiffarm::clearance::Cutter;
 use stiffarm::cutting::{Law, Process, Shank};
 use stiffarm::mill::{
@@ -130,7 +131,9 @@ impl MillAnswer {
                 chatter.looked_at(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)
             };
             swings = chatter.map(along).transpose()?;
-            let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated() };
+            let is_upright = asked.mount().is_none_or(|mount| is_upright(&mount.cell_from_base));
+            let held = options.tool_weight.filter(|_| is_upright);
+            let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated(), held };
             arm = Some(arm::looked_at(&robot, &stand, (&stations, &found.samples), options, watch).map_err(failed)?);
         }
         Ok(Self {

@@ -193,8 +193,9 @@ impl MillAnswer {
     /// A deflection, nominal and with 95 %, m, held with such a probability, beside what the geometry errs.
     fn judged(&self, deflection: (f64, Option<f64>), holds: Option<f64>, is_compensated: bool) -> Option<Verdict> {
         let tolerance = self.tolerance_mm?;
-        let is_of_drives_alone =
-            self.chatter_is_open() || self.geometry_exceeds(tolerance, deflection, is_compensated).is_some();
+        let is_of_drives_alone = self.chatter_is_open()
+            || self.lacks_weight()
+            || self.geometry_exceeds(tolerance, deflection, is_compensated).is_some();
         Some(Verdict { is_of_drives_alone, barred: self.barred(), ..Verdict::of(deflection.0, tolerance).with(holds) })
     }
 
