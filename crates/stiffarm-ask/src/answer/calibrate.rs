@@ -146,7 +146,12 @@ impl CalibrateAnswer {
             },
         ));
         let degrees = self.zeros().map(|zero| fixed(Unit::Degree.of_si(zero), 4)).join(", ");
-        lines.push(line("zeros", format!("{degrees} deg to be added to the joints as reported")));
+        lines.push(line(
+            "zeros",
+            format!(
+                "{degrees} deg to be added to the joints as reported; those of joints 1 and 6 are not seen: the frame of the tracker and the places of the points take them up, so the tool counts from the flange frame in which these points are"
+            ),
+        ));
         lines.push(line(
             "at the work",
             match &found.at_work {

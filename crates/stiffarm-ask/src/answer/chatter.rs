@@ -343,10 +343,14 @@ impl ChatterAnswer {
             notes.push("stiffness is nobody's: nothing is decided by it".into());
         }
         if chatter.verdict() == Verdict::NotDecided && !self.robot_is_measured() {
-            notes.push(
-                "to decide: measure the drives (`stiffarm measure`, `stiffarm identify`) and the damping of the first modes at this posture by a tap test (--damping-ratio)"
-                    .into(),
-            );
+            let drives = if self.robot.identified().is_some() {
+                ""
+            } else {
+                "the drives (`stiffarm measure`, `stiffarm identify`) and "
+            };
+            notes.push(format!(
+                "to decide: measure {drives}the damping of the first modes at this posture by a tap test (--damping-ratio)"
+            ));
         }
         notes
     }

@@ -8,6 +8,9 @@ use super::contour::Grid;
 use super::labels::{Labelled, Occupied};
 use super::line::{Line, Node};
 
+/// What a bar shows stands beside it in so many lines.
+const MOST_LINES: usize = 3;
+
 /// What the colours of a field stand for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Colours {
@@ -160,8 +163,6 @@ impl Bands {
         let further = self.beyond.map(|beyond| if beyond { 13.0 } else { 0.0 });
         canvas.text([middle, bottom + 12.0 + further[0]], small, word);
         canvas.text([middle, top - 11.0 - further[1]], large, word);
-        /// Beside a bar.
-        const MOST_LINES: usize = 3;
         let font = Font::new(13.0).middle();
         // The unit stands at its end, and is never cut.
         let (name, unit) =

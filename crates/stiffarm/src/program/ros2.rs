@@ -28,10 +28,13 @@ pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault>
     text.lines("# ", &lines);
     text.line("joint_names: [joint_1, joint_2, joint_3, joint_4, joint_5, joint_6]");
     text.line("points:");
+    // A place that is said twice is one point.
+    let mut steps: Vec<&Step> = program.steps.iter().collect();
+    steps.dedup_by(|step, before| turned(before, step) < 10_f64.powi(-(DECIMALS as i32)));
     let mut time = 0.0;
-    for (i, step) in program.steps.iter().enumerate() {
+    for (i, step) in steps.iter().enumerate() {
         if 0 < i {
-            time += duration(&program.steps[i - 1], step);
+            time += duration(steps[i - 1], step);
         }
         let positions = step.joints.map(|q| fixed(q, DECIMALS)).join(", ");
         let nanoseconds = (time * 1e9).round() as u64;
@@ -41,9 +44,13 @@ pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault>
     Ok(vec![ProgramFile { name: format!("{}.{}", program.name_of(None), Language::Ros2.ending()), text: text.0 }])
 }
 
+/// By how much the joint that turns most turns, rad.
+fn turned(from: &Step, to: &Step) -> f64 {
+    from.joints.iter().zip(to.joints).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max)
+}
+
 /// How long the way from a step to the next takes, s; two points never have one time.
 fn duration(from: &Step, to: &Step) -> f64 {
     let length = (to.part_from_tool.translation.vector - from.part_from_tool.translation.vector).norm();
-    let turned = from.joints.iter().zip(to.joints).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
-    (length / to.speed).max(turned / FASTEST_JOINT).max(SHORTEST)
+    (length / to.speed).max(turned(from, to) / FASTEST_JOINT).max(SHORTEST)
 }

@@ -303,6 +303,15 @@ impl RankAnswer {
         if passing.is_empty() {
             return format!("No robot keeps {tolerance} mm on every task{}.{odd}", self.clearly());
         }
+        let is_sure =
+            |row: &&&Row| (0..row.cells.len()).all(|task| self.verdict_of(row, task).is_some_and(Verdict::is_sure));
+        let sure: Vec<String> = passing.iter().filter(is_sure).map(|row| words::marked(&row.robot)).collect();
+        let surely = if sure.is_empty() || sure.len() == passing.len() {
+            String::new()
+        } else {
+            format!(" With a probability of 95 % or more it is held by {} alone.", sure.join(", "))
+        };
+        let odd = format!("{surely}{odd}");
         let named = |row: &&Row| {
             let least = (0..row.cells.len()).map(|task| self.verdict_of(row, task)?.probability);
             let least = least.reduce(|a, b| Some(a?.min(b?))).flatten();
