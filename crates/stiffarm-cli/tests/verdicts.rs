@@ -270,7 +270,8 @@ fn what_a_calibration_leaves_counts_in_the_verdict() {
         ["calibrate", KUKA, "docs/examples/tracker.csv", "--level", "zeros", "--controller-model", "nominal"];
     let (code, _, said) = run(&[&calibrated[..], &["-o", &file]].concat());
     assert_eq!(code, 0, "{said}");
-    let asked = ["mill", "line:0.1", "--robot", &file, "--tool", "spindle:250@90", "--force-n", "100,50,50"];
+    let mills = ["mill", "line:0.1", "--robot", &file, "--tool", "spindle:250@90", "--force-n", "100,50,50"];
+    let asked = [&mills[..], &["--tool-mass-kg", "20", "--tool-com-mm", "125,0,0"]].concat();
     let stands = ["--at", "1.7,0,0.8", "--tolerance-mm"];
     let compensate = ["--stiffness-uncertainty", "0.01", "--compensate"];
     let answer =
@@ -287,9 +288,26 @@ fn what_a_calibration_leaves_counts_in_the_verdict() {
         assert!(0.95 <= number(&found["probability"]), "{found}");
         assert_eq!(found["verdict"], verdict, "{tolerance}: {median} {left}");
     }
+    // Both with 95 %: what drives and calibration leave adds up as squares do.
+    let wide = ["--stiffness-uncertainty", "0.5", "--compensate", "--force-n", "1000,600,600"];
+    let pushed: Vec<&str> = asked.iter().copied().filter(|word| !["--force-n", "100,50,50"].contains(word)).collect();
+    let answer =
+        |tolerance: f64, how: &[&str]| json(&[&pushed[..], &stands, &[tolerance.to_string().as_str()], how].concat());
+    let found = answer(50.0, &wide);
+    let [median, p95] = ["left_median_mm", "left_p95_mm"].map(|key| number(&found["compensation"][key]));
+    let (low, high) = ((median + 1.614 * left).max(p95), p95.hypot(1.614 * left));
+    assert!(1.02 * low < high, "{median} {p95} {left}");
+    for (tolerance, verdict) in [(1.01 * low, "pass, not sure"), (1.01 * high, "pass")] {
+        let found = &answer(tolerance, &wide)["compensation"];
+        assert!(0.95 <= number(&found["probability"]) && found["verdict"] == verdict, "{tolerance}: {found}");
+    }
+    // The weight of the tool bends such an arm: where it is not known nothing is sure.
+    let lacking = [&mills[..], &stands, &["5"], &compensate[..]].concat();
+    assert_eq!(json(&lacking)["compensation"]["verdict"], "pass, not sure");
+    assert!(run(&lacking).1.contains("NOT COUNTED"));
     // A program that does not know the arm errs by more than the corrected one does.
     let prior = ["--stiffness", "prior", "--work-frame", "measured"];
-    let errs = &answer(5.0, &prior)["true_arm"];
+    let errs = &json(&[&asked[..], &stands, &["5"], &prior[..]].concat())["true_arm"];
     let [uncorrected, corrected] = ["uncorrected_mm", "by_geometry_mm"].map(|key| number(&errs[key]));
     assert!(corrected + left < 0.9 * uncorrected, "{errs}");
     // Beyond that what the calibration leaves may be more, until that is kept, too.

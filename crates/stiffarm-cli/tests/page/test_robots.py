@@ -80,7 +80,7 @@ def test_a_bad_robot_file_is_reported_with_its_lines_and_not_used(look: Open) ->
     checked = page.locator(".checked")
     expect(checked).to_contain_text("bad.toml cannot be used")
     expect(checked).to_contain_text("line 3")
-    expect(checked).to_contain_text("-5 mm is too small to be true")
+    expect(checked).to_contain_text("-5 mm; expected 20 to 10000 mm")
     assert page.url == before
 
 

@@ -18,6 +18,7 @@ use super::follow::{Pushed, Stand, wrench};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
+use crate::mass::{GRAVITY, ToolWeight};
 use crate::parallel;
 use crate::prior::{Drawn, Moved, Unexplained};
 use crate::robot::{Arm, Robot};
@@ -143,7 +144,8 @@ pub fn compensate(
     })
 }
 
-/// What is left of the largest error where the robot differs from the model as drawn.
+/// What is left of the largest error where the robot differs from the model as drawn. A tool that is held is taken out by its weight, too, as of an
+/// arm that was calibrated, and what is wrong of that is left with the rest.
 ///
 /// # Errors
 /// As [`compensate`].
@@ -151,20 +153,22 @@ pub fn remaining(
     robot: &Robot,
     stand: &Stand,
     (stations, followed): (&[Station], &[Pushed]),
-    (part, drawn): (ErrorPart, &Drawn),
+    (part, drawn, held): (ErrorPart, &Drawn, Option<&ToolWeight>),
     watch: Watch,
 ) -> Result<Remaining, MillError> {
-    let (missing, whole) = (times(drawn, |factor| factor - 1.0)?, times(drawn, |factor| factor)?);
+    let missing = times(drawn, |factor| factor - 1.0)?;
+    let (left, whole) = (Times { of_force: &missing, off: &missing }, times(drawn, |factor| factor)?);
+    let all_of_it = Times { of_force: &whole, off: &missing };
     let of_station = |given: &Given| {
-        let mut left = given.errors(&missing, drawn);
-        let without = quantile_of(&mut given.errors(&whole, drawn), 0.95);
-        [quantile_of(&mut left, 0.95), quantile_of(&mut left, 0.5), without]
+        let mut remains = given.errors(left, drawn);
+        let without = quantile_of(&mut given.errors(all_of_it, drawn), 0.95);
+        [quantile_of(&mut remains, 0.95), quantile_of(&mut remains, 0.5), without]
     };
     let mut all = vec![0.0; missing.len()];
     let mut by_station = vec![[0.0; 3]; stations.len()];
-    by_drives(robot, stand, (stations, followed), part, &mut |gives| {
+    by_drives(robot, stand, (stations, followed), (part, held), &mut |gives| {
         watch.go_on()?;
-        raise(&mut all, gives, &missing, drawn);
+        raise(&mut all, gives, left, drawn);
         let found: Vec<[f64; 3]> = parallel::each(gives, of_station);
         gives.iter().zip(found).for_each(|(given, found)| by_station[given.station] = found);
         Ok(())
@@ -185,14 +189,14 @@ pub fn drawn_errors(
     robot: &Robot,
     stand: &Stand,
     (stations, followed): (&[Station], &[Pushed]),
-    (part, drawn): (ErrorPart, &Drawn),
+    (part, drawn, held): (ErrorPart, &Drawn, Option<&ToolWeight>),
     watch: Watch,
 ) -> Result<Vec<f64>, MillError> {
-    let times = times(drawn, |factor| factor)?;
-    let mut largest = vec![0.0; times.len()];
-    by_drives(robot, stand, (stations, followed), part, &mut |gives| {
+    let (whole, missing) = (times(drawn, |factor| factor)?, times(drawn, |factor| factor - 1.0)?);
+    let mut largest = vec![0.0; whole.len()];
+    by_drives(robot, stand, (stations, followed), (part, held), &mut |gives| {
         watch.go_on()?;
-        raise(&mut largest, gives, &times, drawn);
+        raise(&mut largest, gives, Times { of_force: &whole, off: &missing }, drawn);
         Ok(())
     })?;
     Ok(largest)
@@ -208,6 +212,8 @@ enum ByDrive {
     /// Under a force that is known: m, a column for every drive.
     Known {
         by_drive: Matrix3x6<f64>,
+        /// The same under the weight of a tool that is taken out.
+        held: Matrix3x6<f64>,
         /// The direction that counts; `None` where all of it does.
         counted: Option<Vector3<f64>>,
         /// How far the tool moves in all, m.
@@ -217,13 +223,21 @@ enum ByDrive {
     Any(Box<[Matrix3<f64>; 6]>),
 }
 
+/// Of every draw, how many times each drive gives way under the force, and by how many times it is otherwise than it was taken.
+#[derive(Clone, Copy)]
+struct Times<'a> {
+    of_force: &'a [Vector6<f64>],
+    off: &'a [Vector6<f64>],
+}
+
 impl Given {
-    /// The error, m, where each drive gives so many times that, and a draw adds what an identification did not explain.
-    fn error(&self, times: &Vector6<f64>, (unexplained, draw): (Option<&Unexplained>, usize)) -> f64 {
+    /// The error of a draw, m, where each drive gives so many times that; it adds what an identification did not explain.
+    fn error(&self, times: Times, (unexplained, draw): (Option<&Unexplained>, usize)) -> f64 {
+        let (times, off) = (&times.of_force[draw], &times.off[draw]);
         match &self.by_drive {
-            ByDrive::Known { by_drive, counted, length } => {
+            ByDrive::Known { by_drive, held, counted, length } => {
                 let missed = |one: &Unexplained| one.in_space(draw, *length);
-                let moved = by_drive * times + unexplained.map_or_else(Vector3::zeros, missed);
+                let moved = by_drive * times + held * off + unexplained.map_or_else(Vector3::zeros, missed);
                 counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
             }
             ByDrive::Any(by_drive) => {
@@ -238,8 +252,8 @@ impl Given {
     }
 
     /// The error of every draw, m.
-    fn errors(&self, times: &[Vector6<f64>], drawn: &Drawn) -> Vec<f64> {
-        times.iter().enumerate().map(|(draw, times)| self.error(times, (drawn.unexplained.as_ref(), draw))).collect()
+    fn errors(&self, times: Times, drawn: &Drawn) -> Vec<f64> {
+        (0..times.off.len()).map(|draw| self.error(times, (drawn.unexplained.as_ref(), draw))).collect()
     }
 
     /// No error is larger, m, and this is sooner found: no eigenvalue is larger than the sum of all, of which a drive has none below zero.
@@ -262,7 +276,7 @@ fn by_drives(
     robot: &Robot,
     stand: &Stand,
     (stations, followed): (&[Station], &[Pushed]),
-    part: ErrorPart,
+    (part, held): (ErrorPart, Option<&ToolWeight>),
     each: &mut dyn FnMut(&[Given]) -> Result<(), MillError>,
 ) -> Result<(), MillError> {
     let of = |(station, (found, pushed)): (usize, (&Station, &Pushed))| {
@@ -283,11 +297,13 @@ fn by_drives(
                     // The force that does most points the way in which one along it moves.
                     let most = by_drive.column_sum().try_normalize(0.0).unwrap_or(counted);
                     let length = newtons * (posture.compliance.translation() * most).norm();
-                    ByDrive::Known { by_drive, counted: None, length }
+                    ByDrive::Known { by_drive, held: Matrix3x6::zeros(), counted: None, length }
                 }
                 (Acting::Known { force, moment }, counted) => {
                     let by_drive = Matrix3x6::from_columns(&moved(wrench(&axes, force, moment)));
-                    ByDrive::Known { by_drive, counted, length: by_drive.column_sum().norm() }
+                    let weight = held.and_then(|tool| weight_of(tool, &posture.tool, &stand.flange_from_tool));
+                    let held = weight.map_or_else(Matrix3x6::zeros, |weight| Matrix3x6::from_columns(&moved(weight)));
+                    ByDrive::Known { by_drive, held, counted, length: by_drive.column_sum().norm() }
                 }
             };
             Given { station, by_drive }
@@ -302,6 +318,14 @@ fn by_drives(
     Ok(())
 }
 
+/// The weight of a tool on an upright base as a wrench at the tip; `None` where nobody knows its centre.
+fn weight_of(tool: &ToolWeight, base_from_tool: &Pose, flange_from_tool: &Pose) -> Option<Wrench> {
+    let centre = (base_from_tool * flange_from_tool.inverse() * Point3::from(tool.centre?)).coords;
+    let force = Vector3::new(0.0, 0.0, -tool.mass * GRAVITY);
+    let moment = (centre - base_from_tool.translation.vector).cross(&force);
+    Some(Wrench(Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)))
+}
+
 /// What `part` makes of the factors of every draw.
 fn times(drawn: &Drawn, part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<f64>>, MillError> {
     if drawn.factors.is_empty() {
@@ -311,12 +335,11 @@ fn times(drawn: &Drawn, part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<f64>>, 
 }
 
 /// Raises the largest error of every draw to that of some stations: a sum over the drives, each so many times as it gives.
-fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>], drawn: &Drawn) {
+fn raise(largest: &mut [f64], gives: &[Given], times: Times, drawn: &Drawn) {
     let unexplained = drawn.unexplained.as_ref();
     let of = |draw: usize| {
-        let times = &times[draw];
         let worse = |worst: f64, given: &Given| {
-            let is_less = given.most(times, unexplained) <= worst;
+            let is_less = given.most(&times.of_force[draw], unexplained) <= worst;
             if is_less { worst } else { worst.max(given.error(times, (unexplained, draw))) }
         };
         gives.iter().fold(largest[draw], worse)

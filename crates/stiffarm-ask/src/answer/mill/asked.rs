@@ -14,6 +14,7 @@ use stiffarm::catalogue::ProcessFile;
 use stiffarm::chain::is_upright;
 use stiffarm::clearance::Cutter;
 use stiffarm::cutting::{Law, Process, Shank};
+use stiffarm::mass::ToolWeight;
 use stiffarm::mill::{
     self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, TrueOptions,
     compensate, drawn_errors, forced, place_path, remaining,
@@ -117,22 +118,24 @@ impl MillAnswer {
         let work_frame = asked.work_frame();
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+            let is_upright = asked.mount().is_none_or(|mount| is_upright(&mount.cell_from_base));
+            // Of an arm that was calibrated the weight of its tool is taken out, too.
+            let held = options.tool_weight.filter(|_| is_upright && robot.calibration.is_some());
             let drawn = |drawn: Drawn| {
-                drawn_errors(&robot, &stand, (&stations, &found.samples), (options.part, &drawn), watch).map_err(failed)
+                let what = (options.part, &drawn, held.as_ref());
+                drawn_errors(&robot, &stand, (&stations, &found.samples), what, watch).map_err(failed)
             };
             draws = Drawn::of(&robot, DRAWS).map(drawn).transpose()?;
             fed_back =
                 mill::fed_back(&robot, &stand, (&stations, &found.samples), options.part, watch).map_err(failed)?;
             if asked.is_compensated() {
-                let what = (&stations[..], &found.samples[..], options.part);
+                let what = (&stations[..], &found.samples[..], options.part, held.as_ref());
                 compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
             let along = |chatter: AskedChatter| {
                 chatter.looked_at(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)
             };
             swings = chatter.map(along).transpose()?;
-            let is_upright = asked.mount().is_none_or(|mount| is_upright(&mount.cell_from_base));
-            let held = options.tool_weight.filter(|_| is_upright);
             let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated(), held };
             arm = Some(arm::looked_at(&robot, &stand, (&stations, &found.samples), options, watch).map_err(failed)?);
         }
@@ -274,7 +277,7 @@ fn compensation(
     asked: &Request,
     robot: &Robot,
     stand: &Stand,
-    (stations, followed, part): (&[Station], &[Pushed], ErrorPart),
+    (stations, followed, part, held): (&[Station], &[Pushed], ErrorPart, Option<&ToolWeight>),
     watch: Watch,
 ) -> Result<Compensation, MillError> {
     let path = (stations, followed);
@@ -289,7 +292,7 @@ fn compensation(
     let remaining = drawn
         .map(|(drawn, of_drives)| {
             let of_model = if drawn.unexplained.is_some() { " and identification residual" } else { "" };
-            let left = remaining(robot, stand, path, (part, &drawn), watch)?;
+            let left = remaining(robot, stand, path, (part, &drawn, held), watch)?;
             Ok::<_, MillError>((left, format!("{of_drives}{of_model}")))
         })
         .transpose()?;

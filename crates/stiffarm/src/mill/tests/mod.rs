@@ -629,7 +629,8 @@ fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
     assert!(0.5 * found.worst.0 < done.largest && done.largest < 1.1 * found.worst.0 && done.beyond.is_empty());
     let drawn = Drawn { factors: vec![factors], unexplained: None };
     let left =
-        remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn), Watch::nobody()).unwrap();
+        remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn, None), Watch::nobody())
+            .unwrap();
     let most = softer.iter().copied().fold(0.0, f64::max);
     assert!((left.p95 / most - 1.0).abs() < 0.01 && left.median == left.p95 && left.all.len() == 1, "{left:?} {most}");
     assert!(left.along.iter().zip(&softer).all(|(reported, found)| (reported - found).abs() < 0.01 * most));
@@ -665,7 +666,8 @@ fn what_an_identification_did_not_explain_is_left_by_compensation() {
     };
     let drawn = Drawn::of(&robot, 2000).unwrap();
     let left =
-        remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn), Watch::nobody()).unwrap();
+        remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn, None), Watch::nobody())
+            .unwrap();
     let missed = 0.25 * found.worst.0 / 3.0_f64.sqrt();
     for (value, by_hand) in [(left.p95, 2.795 * missed), (left.median, 1.538 * missed)] {
         assert!((value / by_hand - 1.0).abs() < 0.05, "{value:e} {by_hand:e}");
@@ -676,7 +678,7 @@ fn what_an_identification_did_not_explain_is_left_by_compensation() {
     assert!((left.without[i] / high - 1.0).abs() < 0.05, "{:e} {high:e}", left.without[i]);
     assert!((left.along[i] / left.p95 - 1.0).abs() < 1e-12 && left.median_along[i] < left.along[i]);
     let errors =
-        drawn_errors(&robot, &stand, (&stations, &found.samples), (ErrorPart::Across, &drawn), Watch::nobody())
+        drawn_errors(&robot, &stand, (&stations, &found.samples), (ErrorPart::Across, &drawn, None), Watch::nobody())
             .unwrap();
     assert!(errors.iter().any(|error| error < &found.worst.0) && errors.len() == 2000);
     // A file that does not tell how far it moved has its residual as it is, whatever the force.
@@ -684,7 +686,8 @@ fn what_an_identification_did_not_explain_is_left_by_compensation() {
     drives.identified.as_mut().unwrap().moved = None;
     let drawn = Drawn::of(&robot, 2000).unwrap();
     let left =
-        remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn), Watch::nobody()).unwrap();
+        remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &drawn, None), Watch::nobody())
+            .unwrap();
     assert!((left.p95 / (2.795 * 0.25e-3) - 1.0).abs() < 0.05, "{left:?}");
 }
 
@@ -750,7 +753,8 @@ fn drawn_errors_under_any_force_are_those_of_robots_with_such_drives() {
         let found = followed(&stand, &stations, &MillOptions { part, ..with(RollMode::Constant) });
         let factors = crate::prior::factors_of(0.7, 30);
         let draws = Drawn { factors: factors.clone(), unexplained: None };
-        let drawn = drawn_errors(&robot, &stand, (&stations, &found.samples), (part, &draws), Watch::nobody()).unwrap();
+        let drawn =
+            drawn_errors(&robot, &stand, (&stations, &found.samples), (part, &draws, None), Watch::nobody()).unwrap();
         let k = robot.drive_compliance().map(|k| k.unwrap());
         for (factors, drawn) in factors.iter().zip(drawn) {
             let other = crate::catalogue::with_compliance(&robot, std::array::from_fn(|i| k[i] * factors[i] * 1e6));
