@@ -715,14 +715,19 @@ fn speeds_are_taken_where_every_joint_has_one() {
 
 #[test]
 fn soft_limits_are_told_where_they_leave_less() {
-    let soft = |most: &str| {
+    let soft = |least: &str, most: &str| {
         let controller =
-            format!(r#"<safety_controller soft_lower_limit="-1.1345" soft_upper_limit="{most}" k_velocity="1"/>"#);
+            format!(r#"<safety_controller soft_lower_limit="{least}" soft_upper_limit="{most}" k_velocity="1"/>"#);
         let limit = r#"<limit lower="-1.1345" upper="1.4835" effort="0" velocity="1.7453"/>"#;
         plain(&replaced(EXAMPLE, limit, &(limit.to_owned() + &controller))).unwrap().notes.join("\n")
     };
-    assert!(soft("0.2").contains("soft limits of safety controllers leave less and are not taken"), "{}", soft("0.2"));
-    assert!(soft("0.2").contains("joint_2") && !soft("1.4835").contains("soft limits"));
+    assert!(
+        soft("-1.1345", "0.2").contains("soft limits of safety controllers leave less and are not taken"),
+        "{}",
+        soft("-1.1345", "0.2")
+    );
+    assert!(soft("-1.1345", "0.2").contains("joint_2") && !soft("-1.1345", "1.4835").contains("soft limits"));
+    assert!(soft("-0.5", "1.4835").contains("soft limits"));
 }
 
 #[test]
