@@ -2,9 +2,10 @@
 
 use stiffarm::calibration::{Calibration, ControllerModel};
 use stiffarm::chain::{TrueArm, is_upright};
+use stiffarm::mass::ToolWeight;
 use stiffarm::mill::{
-    ArmErrors, DrawnError, MillError, OnTrueArm, Pushed, RollMode, Stand, Station, TrueOptions, WorkFrame, arm_error,
-    on_true_arm,
+    ArmErrors, DrawnError, MillError, OnTrueArm, PathGround, Pushed, RollMode, Stand, Station, TrueOptions, WorkFrame,
+    arm_error, on_true_arm,
 };
 use stiffarm::program::Controller;
 use stiffarm::robot::Robot;
@@ -49,6 +50,12 @@ pub(super) fn check_mount(asked: &Request, robot: &Robot) -> Result<(), Refusal>
         robot.name
     );
     Err(asked.refused(opt::MOUNT, why))
+}
+
+/// The tool whose weight is taken out: of an arm that was calibrated, on a base that stands upright, where its centre is known.
+pub(super) fn held(robot: &Robot, tool: Option<ToolWeight>, ground: &PathGround) -> Option<ToolWeight> {
+    let is_upright = ground.cell.as_ref().is_none_or(|cell| is_upright(&cell.mount.cell_from_base));
+    tool.filter(|tool| robot.calibration.is_some() && is_upright && tool.centre.is_some())
 }
 
 /// What the arm's geometry does along a path.
@@ -137,7 +144,7 @@ impl MillAnswer {
                 "the calibration itself leaves",
                 format!("{} rms where it was not measured", mm(known.left_out)),
             ));
-            lines.push(line("weight of the tool", self.held()));
+            lines.push(line("weight of the tool", self.held_in_words()));
             lines.extend(beyond(found).map(|sentence| line("BEYOND LIMITS", sentence)));
         }
         lines.extend(self.drawn_error().map(|DrawnError { median, p95 }| {
@@ -154,21 +161,16 @@ impl MillAnswer {
 
     /// A calibrated arm bends further under its tool, and the weight of that is not counted.
     pub(super) fn lacks_weight(&self) -> bool {
-        let is_counted = self.options.tool_weight.is_some_and(|weight| weight.centre.is_some()) && self.is_upright();
-        self.on_true_arm().is_some() && !is_counted
-    }
-
-    fn is_upright(&self) -> bool {
-        self.ground.cell.as_ref().is_none_or(|cell| is_upright(&cell.mount.cell_from_base))
+        self.on_true_arm().is_some() && held(&self.robot, self.options.tool_weight, &self.ground).is_none()
     }
 
     /// Whether the weight of the tool bends the calibrated arm here.
-    fn held(&self) -> String {
+    fn held_in_words(&self) -> String {
         match self.options.tool_weight {
             Some(weight) if !self.lacks_weight() => {
                 format!("{} kg bend the drives beside what the arm was calibrated with: counted", weight.mass)
             }
-            Some(_) if !self.is_upright() => "NOT COUNTED: the base does not stand upright".into(),
+            Some(weight) if weight.centre.is_some() => "NOT COUNTED: the base does not stand upright".into(),
             Some(_) => "NOT COUNTED: its centre is not given (--tool-com-mm)".into(),
             None => "NOT COUNTED: not given (--tool-mass-kg, --tool-com-mm); it bends the drives beside what the arm was calibrated with".into(),
         }

@@ -11,7 +11,6 @@ use super::chatter::AskedChatter;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request, opt};
 use stiffarm::catalogue::ProcessFile;
-use stiffarm::chain::is_upright;
 use stiffarm::clearance::Cutter;
 use stiffarm::cutting::{Law, Process, Shank};
 use stiffarm::mass::ToolWeight;
@@ -118,9 +117,7 @@ impl MillAnswer {
         let work_frame = asked.work_frame();
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
-            let is_upright = asked.mount().is_none_or(|mount| is_upright(&mount.cell_from_base));
-            // Of an arm that was calibrated the weight of its tool is taken out, too.
-            let held = options.tool_weight.filter(|_| is_upright && robot.calibration.is_some());
+            let held = arm::held(&robot, options.tool_weight, &ground);
             let drawn = |drawn: Drawn| {
                 let what = (options.part, &drawn, held.as_ref());
                 drawn_errors(&robot, &stand, (&stations, &found.samples), what, watch).map_err(failed)
