@@ -209,6 +209,30 @@ fn a_tool_is_compared_with_the_payload() {
     }
 }
 
+/// Between the 95th percentiles of two robots one holds a tolerance with 95 % and the other nominally alone; outside of them nobody is named alone.
+#[test]
+fn who_alone_holds_a_tolerance_surely_is_named() {
+    let robots = "KR 210 R2700 extra,KR 30-3";
+    let asked = ["rank", "--robots", robots, "--task", "A:0.3", "--stiffness", "prior", "--force-n", "100"];
+    let with = |tolerance: f64| {
+        let text = run(&[&asked[..], &["--tolerance-mm", &tolerance.to_string()]].concat()).1;
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let answer = json(&asked);
+    let rows = answer["rows"].as_array().expect("rows");
+    let of = |key: &str| {
+        let mut found: Vec<f64> = rows.iter().map(|row| row["cells"][0][key].as_f64().expect("a number")).collect();
+        found.sort_by(f64::total_cmp);
+        [found[0], found[1]]
+    };
+    let ([least, most], [_, nominal]) = (of("deflection_mm_p95"), of("deflection_mm"));
+    let between = 0.98 * most;
+    assert!(least < between && nominal < between, "{least} {most} {nominal}");
+    let says = "With a probability of 95 % or more it is held by KR 210 R2700 extra alone.";
+    assert!(with(between).contains(says), "{}", with(between));
+    assert!(!with(1.02 * most).contains("it is held by") && !with(0.5 * least).contains("it is held by"));
+}
+
 /// Who may not carry the tool wins nothing, ties with nobody and passes nothing; both verbs say who, and what is too much.
 #[test]
 fn a_robot_that_may_not_carry_the_tool_is_not_to_be_taken() {
